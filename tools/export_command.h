@@ -46,7 +46,8 @@ constexpr auto FieldsOf(Described<ExportRequest>) {
           .OneOf("crossings, csv, fit, glb, mjcf, osim, pc2, feb, inp, msh, "
                  "vtu; commas"),
       Field(&S::frames, "frames")
-          .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP; "
+          .Text("which frames: all, last, N, FIRST:LAST, FIRST:LAST:STEP, "
+                "PART/PARTS; "
                 "FIRST and LAST may be times (0.1s)"),
       Field(&S::mesh_format, "mesh_format")
           .Text("of crossings: ply, obj, and with VTK vtp")

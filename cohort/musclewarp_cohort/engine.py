@@ -17,6 +17,7 @@ WORKFLOW = pathlib.Path(__file__).resolve().parent.parent
 PROFILES = WORKFLOW / "profiles"
 SETTINGS = ".cohort.json"  # of the last call; jobs that wait read it, too
 LOG = "snakemake.log"  # of the last command
+FUNCTIONS, FUNCTIONS_LOG = "fit.json", "fit.log"  # in the folder of a divided run
 LOOK_S = 0.5  # from look to look at how far the jobs are
 
 
@@ -32,22 +33,32 @@ def find_profile(name):
     return folder.resolve()
 
 
-def find_program(given, beside):
+def find_deform(given, beside):
     """musclewarp-deform: as given, or beside the command, or of PATH."""
     if given:
         if not os.access(given, os.X_OK) or pathlib.Path(given).is_dir():
             raise InputError(f'--deform: "{given}" is not a program; name '
                              "musclewarp-deform, or leave it out")
         return str(pathlib.Path(given).absolute())
-    name = "musclewarp-deform"
-    for folder in (beside, beside.parent / "build/release/tools"):
+    return _find("musclewarp-deform", beside, beside.parent / "build/release/tools",
+                 advice="install the package musclewarp, or name it with --deform")
+
+
+def find_export(deform):
+    """musclewarp-export: beside musclewarp-deform, or of PATH."""
+    return _find("musclewarp-export", pathlib.Path(deform).parent,
+                 advice="it fits the functions of divided runs; install the package "
+                 "musclewarp")
+
+
+def _find(name, *folders, advice):
+    for folder in folders:
         if os.access(folder / name, os.X_OK):
             return str(folder / name)
     found = shutil.which(name)
     if not found:
-        raise InputError(f"{name}: is neither in {beside} nor in a folder of "
-                         "PATH; install the package musclewarp, or name it with "
-                         "--deform")
+        raise InputError(f"{name}: is neither in {folders[0]} nor in a folder of "
+                         f"PATH; {advice}")
     return found
 
 
@@ -79,11 +90,13 @@ class Engine:
         if cores:
             self._where += ["--cores", str(cores), "--jobs", str(cores)]
 
-    def run_jobs(self, jobs):
-        """Makes the records of jobs (table.Job), and tells on the screen how far
-        they are. Returns the exit code of Snakemake."""
-        records = [f"{each.folder}/{RECORD}" for each in jobs]
-        return self._call([*records, *self._where], jobs)
+    def run_jobs(self, jobs, divided):
+        """Makes the records of jobs (table.Job) and the functions of divided runs,
+        and tells on the screen how far the jobs are. Returns the exit code of
+        Snakemake."""
+        files = [f"{each.folder}/{RECORD}" for each in jobs]
+        files += [f"{run.folder}/{FUNCTIONS}" for run in divided]
+        return self._call([*files, *self._where], jobs)
 
     def gather(self):
         """Makes the table and the page of the group, here: that is quick."""

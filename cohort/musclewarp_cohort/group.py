@@ -18,6 +18,7 @@ from .files import write_atomically
 
 STATUS = {0: "usable", 1: "not usable", 2: "refused"}
 NOT_FINISHED = "not finished"
+FROM_GOOD_TO_BAD = (*STATUS.values(), NOT_FINISHED)
 
 
 @dataclasses.dataclass
@@ -107,14 +108,36 @@ def _with_figures(row, report):
 
 def read_run(job, out):
     """(rows, curves.Measured) of a job, as far as it came."""
-    report = _read(out / job.folder / jobs.REPORT)
-    rows = rows_of(job, out, report)
+    report = _report_of(job, out)
+    rows = _rows_of(job, out, report)
     return rows, curves.of_report(job.participant, job.motion,
                                   report if rows[0].frames else None)
 
 
+def _report_of(job, out):
+    """The report of a run, as far as it came; that of a divided run has the frames
+    and times of all its parts. None if there is none."""
+    reports = [_read(out / part.folder / jobs.REPORT) for part in job.divided()]
+    reports = [report for report in reports if report]
+    if len(reports) < 2:
+        return reports[0] if reports else None
+    whole = dict(reports[0])
+    try:
+        prepares = [report["prepare"] for report in reports]
+        times = {key: sum(prepare.get(key, 0) for prepare in prepares)
+                 for key in ("wall_ms", "contact_ms")}
+        whole["prepare"] = {**prepares[0], **times}
+        whole["frames"] = [frame for report in reports for frame in report["frames"]]
+    except (LookupError, TypeError, AttributeError):
+        return None  # one of them is no report
+    return whole
+
+
 def ending_of(job, out):
-    """The row of a job that says how it ended, without figures."""
+    """The row of a job that says how it ended, without figures; of a divided run
+    the worst of its parts."""
+    if not job.part and job.parts:
+        return _ending_of_parts(job, out)
     folder = out / job.folder
     record = _read(folder / jobs.RECORD)
     row = Row(job.participant, job.motion)
@@ -130,11 +153,24 @@ def ending_of(job, out):
     return row
 
 
-def rows_of(job, out, report=None):
-    """The rows of a job, as far as it came. `report` is the content of its
-    report.json, if that has been read already."""
+def _ending_of_parts(job, out):
+    parts = job.divided()
+    endings = [ending_of(part, out) for part in parts]
+    bad = [index for index, row in enumerate(endings)
+           if row.status != FROM_GOOD_TO_BAD[0]]
+    worst = max(range(job.parts), key=lambda index: FROM_GOOD_TO_BAD.index(
+        endings[index].status))
+    row = dataclasses.replace(endings[worst], memory_mb=max(
+        (each.memory_mb for each in endings if each.memory_mb), default=None))
+    if bad:
+        row.reason = (f"{len(bad)} of {job.parts} parts, such as "
+                      f"{parts[worst].part}: {row.reason}")
+    return row
+
+
+def _rows_of(job, out, report):
+    """The rows of a run, as far as it came; `report` is that of the run."""
     row = ending_of(job, out)
-    report = report or _read(out / job.folder / jobs.REPORT)
     if not report or row.exit_code == 2:
         return [row]
     try:

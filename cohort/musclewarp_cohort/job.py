@@ -1,6 +1,6 @@
 # Copyright 2026 The musclewarp authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Runs musclewarp-deform --resume for one subject and motion.
+"""Runs musclewarp-deform --resume for one subject and motion, or part of it.
 
 usage: python3 -m musclewarp_cohort.job --folder=DIR --program=FILE --threads=N JOB
 
@@ -62,6 +62,8 @@ def command(job, folder, program, threads):
              f"--threads={threads}", "--resume"]
     if job.motion_file:
         words.append(f"--motion={job.motion_file}")
+    if job.part:
+        words.append(f"--frames={job.part}/{job.parts}")
     return words
 
 

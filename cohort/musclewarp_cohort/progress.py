@@ -124,8 +124,7 @@ class Progress:
     def _say_end(self, job):
         planned = self._log.planned or len(self._jobs)
         ended = group.ending_of(job, self._out)
-        line = (f"[{self._ended} of {planned}] {job.participant} {job.motion}: "
-                f"{ended.status}")
+        line = f"[{self._ended} of {planned}] {job.title}: {ended.status}"
         if ended.status != group.STATUS[0]:
             line += f": {ended.reason}; see {self._out / job.folder / jobs.LOG}"
         self._say(line)
@@ -134,7 +133,7 @@ class Progress:
         for folder, reason in self._log.announced:
             if folder in self._jobs:
                 job = self._jobs[folder]
-                self._say(f"would run {job.participant} {job.motion}"
+                self._say(f"would run {job.title}"
                           + (f" ({reason})" if reason else ""))
 
     def _say_failure(self, code):

@@ -3,7 +3,8 @@
 """Reads IN/subjects.tsv: a row, and a job, for each subject and motion.
 
 Tab-separated, with a header, UTF-8; an empty field is "n/a", as in BIDS. Columns
-that are not named here, such as age, are left alone.
+that are not named here, such as age, are left alone. A row with a number of parts
+is a design of postures, which is divided into as many jobs.
 """
 import dataclasses
 import difflib
@@ -18,6 +19,8 @@ from .input_error import InputError
 TABLE = "subjects.tsv"
 REQUIRED = ("participant_id", "scene")
 COLUMNS = REQUIRED + ("model", "motion", "side", "flags")
+PARTS = "parts"  # a column that may be missing
+MOST_PARTS = 9999
 EMPTY = "n/a"
 # The folder of a row whose motion or poses are those of the scene.
 SCENE_MOTION = "scene"
@@ -29,7 +32,7 @@ LONGEST_NAME = 100  # of a folder; file systems allow 255 bytes with what is add
 
 @dataclasses.dataclass(frozen=True)
 class Job:
-    """A subject and a motion; paths are absolute."""
+    """A subject and a motion, or a part of its frames; paths are absolute."""
 
     participant: str
     motion: str  # the name of the folder: of the motion file, without extension
@@ -39,10 +42,26 @@ class Job:
     side: Optional[str] = None
     flags: tuple = ()
     line: int = 0  # of the table
+    parts: int = 0  # 0: the run is not divided
+    part: int = 0  # 1 to parts; 0: the whole run
 
     @property
     def folder(self):
-        return f"{self.participant}/{self.motion}"
+        part = f"/part_{self.part:04}" if self.part else ""
+        return f"{self.participant}/{self.motion}{part}"
+
+    @property
+    def title(self):
+        """For messages."""
+        part = f" part {self.part} of {self.parts}" if self.part else ""
+        return f"{self.participant} {self.motion}{part}"
+
+    def divided(self):
+        """The jobs to run: one, or one for each part."""
+        if not self.parts:
+            return [self]
+        return [dataclasses.replace(self, part=part + 1)
+                for part in range(self.parts)]
 
     def data_root(self):
         """What paths in the scene are relative to."""
@@ -89,6 +108,12 @@ def _job(row, line, path, known_flags):
     if row["side"] not in SIDES + (EMPTY,):
         problems.append(where("side")(row["side"], "is not a side",
                                       f"write {', '.join(SIDES)} or {EMPTY}"))
+    parts = row.get(PARTS, EMPTY)
+    if parts != EMPTY and not (re.fullmatch(r"[0-9]+", parts, re.A)
+                               and 1 <= int(parts) <= MOST_PARTS):
+        problems.append(where(PARTS)(
+            parts, "is not a number of parts",
+            f"write a whole number from 1 to {MOST_PARTS}, or {EMPTY}"))
     words = ()
     try:
         if row["flags"] != EMPTY:
@@ -96,6 +121,10 @@ def _job(row, line, path, known_flags):
                                 row["participant_id"], known_flags)
     except InputError as error:
         problems.append(str(error))
+    if parts != EMPTY and "frames" in flags.values(words):
+        problems.append(where("flags")(
+            row["flags"], f'has frames, as the column "{PARTS}" has',
+            f"remove --frames, or write {EMPTY} for the parts"))
     motion = (SCENE_MOTION if row["motion"] == EMPTY
               else pathlib.PurePath(row["motion"]).stem)
     job = Job(row["participant_id"], motion, file("scene") or "", file("model"),
@@ -103,7 +132,7 @@ def _job(row, line, path, known_flags):
               _with_absolute_folders(words, path.parent), line)
     if problems:
         raise InputError(*problems)
-    return job
+    return job if parts == EMPTY else dataclasses.replace(job, parts=int(parts))
 
 
 def _with_absolute_folders(words, folder):

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import unittest
 
-from folder import COMMAND, SOURCE, FolderTest, frame, report
+from folder import COLUMNS, COMMAND, SOURCE, FolderTest, frame, report
 from musclewarp_cohort import VERSION, files
 
 PROGRAMS = pathlib.Path(os.environ.get("MUSCLEWARP_PROGRAMS",
@@ -151,6 +151,48 @@ class RunTest(CommandTest):
                       "code 0, but report.json does not say", done.stdout)
         self.assertEqual(["usable", "not finished", "not finished"],
                          [row["status"] for row in self.rows()])
+
+    @unittest.skipUnless((PROGRAMS / "musclewarp-export").exists(),
+                         "musclewarp-export is not built")
+    def test_a_design_is_divided_and_its_functions_are_gathered(self):
+        """They are those of the run that is not divided, also if a part was killed
+        on the way."""
+        subprocess.run([PROGRAMS / "musclewarp-phantom", "--scene=hip", "--seed=1",
+                        f"--out={self.source}"], check=True, stdout=subprocess.DEVNULL)
+        scene = json.loads((self.source / "motion.json").read_text())
+        scene["muscles"] = [muscle for muscle in scene["muscles"]
+                            if muscle["name"] == "gluteus_minimus_r"]
+        scene["motion"] = {"design": "latin_hypercube", "postures": 15,
+                           "coordinates": {"hip_flexion_r": [-10, 40]}}
+        self.file("design.json", json.dumps(scene))
+        self.table("sub-1 design.json - - - --nohtml 2",
+                   "sub-2 design.json - - - --nohtml 1",
+                   columns=(*COLUMNS, "parts"))
+        deform = PROGRAMS / "musclewarp-deform"
+        done = self.group(deform=deform)
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        self.assertIn("sub-1 scene part 2 of 2: usable", done.stdout)
+        self.assertIn("3 jobs in", done.stdout)
+        self.assertEqual([("usable", "15")], list({
+            (row["status"], row["frames"]) for row in self.rows()}))
+        divided, whole = (self.coefficients(name) for name in ("sub-1", "sub-2"))
+        self.assertEqual(divided, whole)
+
+        shutil.rmtree(self.out / "sub-1/scene/part_0002")
+        done = self.group(deform=deform)
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
+        self.assertIn("1 of 3 jobs to do", done.stdout)
+        self.assertEqual(whole, self.coefficients("sub-1"))
+
+        (self.source / "hip.osim").unlink()
+        done = self.group(deform=deform)
+        self.assertEqual(1, done.returncode)
+        self.assertIn("sub-1 scene: no functions; see", done.stdout)
+
+    def coefficients(self, name):
+        fit = json.loads((self.out / name / "scene/fit.json").read_text())
+        return {path: function["coefficients_mm"]
+                for path, function in fit["muscles"].items()}
 
     def test_a_failure_of_snakemake_itself_is_told(self):
         self.table(self.scene("sub-1", report=USABLE))

@@ -25,7 +25,7 @@ class GroupTest(FolderTest):
             (folder / "report.html").write_text("<p>")
         if log:
             (folder / "job.log").write_text(log)
-        return group.rows_of(Job(name, "scene", "s.json"), self.out)
+        return group.read_run(Job(name, "scene", "s.json"), self.out)[0]
 
     def usable(self, name="sub-1"):
         frames = [frame(index, [("psoas", ratio, arms), ("iliacus", 1.0, {})],
@@ -80,6 +80,27 @@ class GroupTest(FolderTest):
                                                  finished=False), "deforming\n")
         self.assertEqual(("not finished", 1, "deforming"),
                          (row.status, row.frames, row.reason))
+
+    def test_a_divided_run_is_one_run(self):
+        """Its figures are those of all parts, its end is the worst of theirs."""
+        run = Job("sub-1", "scene", "s.json", parts=3)
+        for part, record in zip(run.divided(), (
+                {"exit_code": 0}, {"exit_code": 1, "reason": "too near"}, None)):
+            made = report([frame(part.part, [("psoas", 1.0, {})])])
+            self.result(f"sub-1/scene/part_000{part.part}", record, made)
+            folder = self.out / part.folder
+            for file in (folder / "scene").iterdir():
+                file.rename(folder / file.name)
+        row, = group.read_run(run, self.out)[0]
+        self.assertEqual(("not finished", 3, 6.0, 0.75), (
+            row.status, row.frames, row.prepare_s, row.frames_s))
+        self.assertEqual("2 of 3 parts, such as 3: did not start; run again",
+                         row.reason)
+        (self.out / run.divided()[2].folder / "job.json").write_text(
+            '{"exit_code": 0, "reason": "", "memory_mb": 90}')
+        row, = group.read_run(run, self.out)[0]
+        self.assertEqual(("not usable", 90, "1 of 3 parts, such as 2: too near"),
+                         (row.status, row.memory_mb, row.reason))
 
     def test_what_is_no_report_has_no_figures(self):
         for place, made in enumerate(([1], {"summary": {}}, {"prepare": 1})):

@@ -55,6 +55,12 @@ class JobTest(FolderTest):
                      "--gap=0.2", "--threads=2", "--resume"):
             self.assertIn(word, line)
 
+    def test_a_part_is_given_as_frames(self):
+        self.assertNotIn("--frames", " ".join(job.command(
+            Job("a", "scene", "s.json", parts=3), self.out, "deform", 1)))
+        self.assertIn("--frames=2/3", job.command(
+            Job("a", "scene", "s.json", parts=3, part=2), self.out, "deform", 1))
+
     def test_model_and_side_go_into_a_scene(self):
         scene = self.play(side="right", axes="LPS")
         self.run_job(scene, model="/m/hip.osim", side="left")

@@ -5,7 +5,7 @@
 import json
 import unittest
 
-from folder import FolderTest
+from folder import COLUMNS, FolderTest
 from musclewarp_cohort import flags, table
 from musclewarp_cohort.input_error import InputError
 
@@ -42,6 +42,21 @@ class TableTest(FolderTest):
                   "motion\tside\tflags\r\n30\tP_1\ta.json\t\t\t\t\r\n\r\n")
         job, = table.read_jobs(self.source)
         self.assertEqual(("P_1", "scene", ()), (job.participant, job.motion, job.flags))
+
+    def test_runs_are_divided(self):
+        columns = (*COLUMNS, "parts")
+        self.table("s-1 a.json - - - - 3", "s-2 a.json - - - - -", columns=columns)
+        divided, whole = table.read_jobs(self.source)
+        self.assertEqual(["s-1/scene/part_0001", "s-1/scene/part_0002",
+                          "s-1/scene/part_0003"],
+                         [part.folder for part in divided.divided()])
+        self.assertEqual("s-1 scene part 2 of 3", divided.divided()[1].title)
+        self.assertEqual([whole], whole.divided())
+        for parts in ("0", "-1", "2.5", "many", "10000"):
+            self.table(f"s a.json - - - - {parts}", columns=columns)
+            self.expect_error(f'line 2, parts: "{parts}" is not a number of parts')
+        self.table("s a.json - - - --frames=0:9 3", columns=columns)
+        self.expect_error('line 2, flags: "--frames=0:9" has frames, as the column')
 
     def test_missing_column(self):
         self.table("sub-1 a.json", columns=("participant_id", "scene"))

@@ -49,6 +49,21 @@ TEST(SelectFrames, TakesTimesFromTheFirstNotBeforeToTheLastNotAfter) {
   EXPECT_THAT(Selected("1:0.3s"), ElementsAre(1, 2, 3));
 }
 
+TEST(SelectFrames, DividesPosesIntoParts) {
+  EXPECT_THAT(Selected("1/1"), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(Selected("1/2"), ElementsAre(0, 1));
+  EXPECT_THAT(Selected("2/2"), ElementsAre(2, 3, 4));
+  for (int part = 0; part < 5; ++part) {
+    EXPECT_THAT(Selected(std::to_string(part + 1) + "/5"), ElementsAre(part));
+  }
+  for (const char* frames : {"0/2", "3/2", "1/0"}) {
+    ExpectFramesRefused(frames, "parts are numbered from 1");
+  }
+  ExpectFramesRefused("1/6", "has more parts than there are frames, 5");
+  ExpectFramesRefused("1/", "not a frame number");
+  ExpectFramesRefused("/2", "not a frame number");
+}
+
 TEST(SelectFrames, RefusesWhatIsNoSelection) {
   for (const char* frames : {"", ":", "1:", "1:2:3:4", "x", "-1", "1.5"}) {
     ExpectFramesRefused(frames, "not a frame number");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <numeric>
 #include <sstream>
 
@@ -18,8 +19,8 @@ namespace {
                              const std::string& problem) {
   throw InputError("{frames}=" + frames,
                    problem,
-                   "allowed: all, last, N, FIRST:LAST, FIRST:LAST:STEP; FIRST "
-                   "and LAST may be times (0.1s)");
+                   "allowed: all, last, N, FIRST:LAST, FIRST:LAST:STEP, "
+                   "PART/PARTS; FIRST and LAST may be times (0.1s)");
 }
 
 int ParseFrameNumber(const std::string& text, const std::string& frames) {
@@ -61,6 +62,29 @@ int ParseRangeEnd(const std::string& text,
   return i >= 0 ? numbers[i] : numbers.front() - 1;
 }
 
+// Returns the indices of one of `frames` = PART/PARTS equal parts of `count`
+// poses.
+std::vector<int> SelectPart(const std::string& frames, int count) {
+  const size_t slash = frames.find('/');
+  const int part = ParseFrameNumber(frames.substr(0, slash), frames);
+  const int parts = ParseFrameNumber(frames.substr(slash + 1), frames);
+  if (part < 1 || part > parts) {
+    FailFrames(frames, "parts are numbered from 1");
+  }
+  if (parts > count) {
+    FailFrames(
+        frames,
+        "has more parts than there are frames, " + std::to_string(count));
+  }
+  // In 64 bits: both numbers may have 8 digits.
+  const auto begin = [&](std::int64_t k) {
+    return static_cast<int>(k * count / parts);
+  };
+  std::vector<int> selected(begin(part) - begin(part - 1));
+  std::iota(selected.begin(), selected.end(), begin(part - 1));
+  return selected;
+}
+
 // Returns a text on the frames that can be selected.
 std::string RangeText(const std::vector<ScenePose>& poses,
                       const std::vector<int>& numbers) {
@@ -88,6 +112,9 @@ std::vector<int> SelectFrames(const std::string& frames,
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses,
                               const std::vector<int>& numbers) {
+  if (frames.find('/') != std::string::npos) {
+    return SelectPart(frames, static_cast<int>(poses.size()));
+  }
   int first = numbers.front();
   int last = numbers.back();
   int step = 1;

@@ -13,8 +13,9 @@ namespace musclewarp {
 // ascending order: "all", "last", "7", "first:last" or "first:last:step", both
 // ends included. An end may be a time ("0.1s"): as the first end it stands for
 // the first pose that is not before it, as the last end for the last pose that
-// is not after it. Throws InputError, naming {frames}, if the text has none of
-// these forms or selects no pose.
+// is not after it. "3/8" selects the third of eight parts of the poses, which
+// are as alike in number as they can be. Throws InputError, naming {frames}, if
+// the text has none of these forms or selects no pose.
 std::vector<int> SelectFrames(const std::string& frames,
                               const std::vector<ScenePose>& poses);
 

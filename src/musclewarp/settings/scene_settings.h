@@ -35,8 +35,10 @@ constexpr auto FieldsOf(Described<SceneSettings>) {
           .Path()
           .Changes(Effect::kNothing),
       Field(&S::frames, "frames")
-          .Text("poses to compute: all, last, N, FIRST:LAST or FIRST:LAST:STEP "
-                "(LAST included); FIRST and LAST may be times: 0.1s:0.35s")
+          .Text(
+              "poses to compute: all, last, N, FIRST:LAST, FIRST:LAST:STEP "
+              "(LAST included) or PART/PARTS (3/8: the third of eight parts); "
+              "FIRST and LAST may be times: 0.1s:0.35s")
           .Changes(Effect::kFiles),
       Field(&S::motion, "motion")
           .Text("OpenSim motion (.mot, .sto) in place of the one the scene "
