@@ -111,6 +111,10 @@ if [[ -n $pictures ]]; then # as things were before, for the pictures
   done
   page+=("--render=$programs/musclewarp-render")
 fi
+deform hip_postures data/scenes/lhdl_hip_postures.json --bones=once
+# Exit code 1 is for functions beyond their bounds, which the page reports.
+"$programs/musclewarp-export" --format=fit --in="$out/hip_postures" \
+  --out="$out/hip_postures.fit.json" >"$out/hip_postures.fit.log" || (($? == 1))
 deform bodyparts3d_hip data/scenes/bodyparts3d_hip.json
 deform bodyparts3d_hamstrings data/scenes/bodyparts3d_hamstrings.json
 [[ -z $all ]] || deform bodyparts3d_thigh data/scenes/bodyparts3d_thigh.json

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "musclewarp/base/input_error.h"
@@ -12,6 +13,7 @@
 #include "musclewarp/base/output_file.h"
 #include "musclewarp/base/portable_path.h"
 #include "musclewarp/base/text.h"
+#include "musclewarp/exchange/osim_bands.h"
 #include "musclewarp/exchange/osim_file.h"
 #include "musclewarp/exchange/run_paths.h"
 #include "musclewarp/program/program.h"
@@ -48,7 +50,7 @@ std::vector<std::string> DropLinesWithoutMuscle(RunPaths* paths) {
   std::vector<std::string> names = paths->lines_without_arms;
   std::vector<MeasuredPath> kept;
   for (MeasuredPath& path : paths->paths) {
-    if (IsInModel(*paths, path)) {
+    if (!path.replaces.empty()) {
       kept.push_back(std::move(path));
     } else {
       names.push_back(path.name);
@@ -61,6 +63,34 @@ std::vector<std::string> DropLinesWithoutMuscle(RunPaths* paths) {
                      "check {model} and the \"lines\" of the scene");
   }
   return names;
+}
+
+// The muscles of bands of fibres, for the record.
+OrderedJson BandsJson(const std::vector<BandMuscle>& bands) {
+  OrderedJson json = OrderedJson::object();
+  for (const BandMuscle& band : bands) {
+    json[band.name] = {{"like", band.like},
+                       {"replaces", band.replaces},
+                       {"force_n", band.force},
+                       {"tendon_mm", band.tendon},
+                       {"tendon_is_cut", band.tendon_is_cut}};
+  }
+  return json;
+}
+
+void PrintBands(const std::vector<BandMuscle>& bands, std::ostream& screen) {
+  std::set<std::string> replaced;
+  for (const BandMuscle& band : bands) {
+    replaced.insert(band.replaces.begin(), band.replaces.end());
+    if (band.tendon_is_cut) {
+      screen << "warning: " << band.name << " is so much shorter than "
+             << band.like << " that no tendon is left; it has one of "
+             << kShortestTendon << " mm, and its fibres work at shorter "
+             << "lengths\n";
+    }
+  }
+  screen << bands.size() << " bands of fibres replace " << replaced.size()
+         << " muscles, with the forces of these by numbers of fibres\n";
 }
 
 std::string FolderOf(const std::string& file) {
@@ -118,11 +148,15 @@ int ExportOsim(const std::string& runs,
   for (const FittedPath& one : fitted.paths) {
     functions[one.path->name] = one.fit.path;
   }
-  const std::string text = WithFunctionPaths(ReadFile(paths.model.path),
-                                             paths.model.path,
-                                             paths.coordinates,
-                                             functions);
   OrderedJson record = PathRecord(runs, out, paths, fitted, options.bounds);
+  std::string text = ReadFile(paths.model.path);
+  const std::vector<BandMuscle> bands = BandMusclesOf(paths);
+  if (!bands.empty()) {
+    text = WithBandMuscles(text, paths.model.path, bands);
+    record["bands"] = BandsJson(bands);
+  }
+  text =
+      WithFunctionPaths(text, paths.model.path, paths.coordinates, functions);
   record["lines_left_out"] = left_out;
   WriteTextAtomically(fs::path(out).replace_extension(".fit.json").string(),
                       record.dump(2) + "\n");
@@ -132,6 +166,7 @@ int ExportOsim(const std::string& runs,
            << paths.model.path << " and is left out\n";
   }
   PrintFits(paths, fitted, screen);
+  if (!bands.empty()) PrintBands(bands, screen);
   screen << "wrote " << out << ": " << functions.size()
          << " muscles have a path function (OpenSim 4.5 or later)\n";
   return ExitCodeOf(fitted);

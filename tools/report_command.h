@@ -16,6 +16,7 @@ struct ReportRequest {
   std::string compare;
   std::string out = "report.html";
   std::string overlay;
+  std::string fit;
   PageOptions page;
 };
 
@@ -31,6 +32,10 @@ constexpr auto FieldsOf(Described<ReportRequest>) {
       Field(&S::overlay, "overlay")
           .Text("measured moment arms to lay over the plots: a CSV table with "
                 "the columns coordinate, muscle, angle_deg, moment_arm_mm, ...")
+          .Path(),
+      Field(&S::fit, "fit")
+          .Text("path functions to list: a .json file of musclewarp-export; "
+                "default: fit.json in the folder of the run, if there is one")
           .Path(),
       Field(Inner(&S::page, &P::max_bone_triangles), "bone_triangles")
           .Text("bones are shown with at most about so many triangles each")

@@ -12,6 +12,7 @@ each run as the page shows it.
 """
 
 import argparse
+import json
 import pathlib
 import subprocess
 import sys
@@ -23,6 +24,7 @@ import frames
 import literature
 import made_lines
 import pictures
+import postures
 import shape_facts
 import straight
 import stretch
@@ -32,6 +34,7 @@ from table import paragraphs, prose, table_of
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 MOTIONS = ["hip_flexion", "hip_adduction", "hip_rotation"]
 FOUND = "hip_flexion_found"  # as hip_flexion, with areas found on the meshes
+POSTURES = "hip_postures"  # of a design
 POSES = ["bodyparts3d_hip", "bodyparts3d_hamstrings", "bodyparts3d_thigh"]
 
 NOTE = "<!-- Written by benchmarks/validation.sh; do not edit. -->"
@@ -105,6 +108,10 @@ def sections_of(data, out, plots, render):
         stretch.stretch_section([flexion, by_found, *others]),
         frames.slices_section(every),
         frames.smoothness_section(motions),
+        postures.postures_section(
+            finished_runs(out, [POSTURES])[POSTURES],
+            json.loads((out / f"{POSTURES}.fit.json").read_text()),
+        ),
     ]
     if render:
         before = finished_runs(out, [name + pictures.BEFORE for name in MOTIONS])

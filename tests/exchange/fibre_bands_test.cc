@@ -62,5 +62,13 @@ TEST(FibreBands, AreFewerWhereThereAreFewerFibres) {
               ElementsAre(ElementsAre(0, 1)));
 }
 
+TEST(FibreBands, LieAroundTheirMean) {
+  const std::vector<Points> fibres = {FibreAt(0), FibreAt(50, 7), FibreAt(2)};
+  EXPECT_TRUE(MeanFibre(fibres, {0, 2}).col(0).isConstant(1));
+  const std::vector<Points> lines = {FibreAt(40), FibreAt(10, 2), FibreAt(60)};
+  EXPECT_EQ(NearestLine(fibres, {0, 2}, lines), 1);
+  EXPECT_EQ(NearestLine(fibres, {1}, {FibreAt(20), FibreAt(60)}), 1);
+}
+
 }  // namespace
 }  // namespace musclewarp

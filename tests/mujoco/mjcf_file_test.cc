@@ -35,7 +35,7 @@ struct SmallMjcf {
     MjcfMuscle muscle;
     muscle.name = "vastus";
     muscle.path.sites = {{1, {0, 10, 0}}, {2, {0, -20, 5}}};
-    mjcf.dynamics.forces["vastus"] = 500;
+    muscle.force = 500;
     muscle.length_range = {100, 140};
     mjcf.muscles.push_back(muscle);
     MjcfSkin skin;

@@ -49,10 +49,12 @@ TEST(Dynamics, HasTheForcesOfMuscles) {
                       Point4("a", "/bodyset/thigh", "0 0 0") +
                           Point4("b", "/bodyset/shank", "0 0 0")),
                "<GeometryPath",
-               "<max_isometric_force>1200</max_isometric_force><GeometryPath");
-  const auto forces = DynamicsOf(WithThigh("", muscle)).forces;
-  ASSERT_EQ(forces.size(), 1u);
-  EXPECT_EQ(forces.at("vastus"), 1200);
+               "<max_isometric_force>1200</max_isometric_force>"
+               "<tendon_slack_length>0.25</tendon_slack_length><GeometryPath");
+  const auto muscles = DynamicsOf(WithThigh("", muscle)).muscles;
+  ASSERT_EQ(muscles.size(), 1u);
+  EXPECT_EQ(muscles.at("vastus").force, 1200);
+  EXPECT_EQ(muscles.at("vastus").tendon, 250);
 }
 
 TEST(Dynamics, RefusesWhatIsNoNumber) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "musclewarp/exchange/fibre_bands.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -12,6 +14,18 @@ namespace {
 
 constexpr int kPlaces = 10;
 constexpr int kMostRounds = 100;
+
+// Returns ten points of each line, a row each.
+Eigen::MatrixXd PlacesOf(const std::vector<Points>& lines) {
+  Eigen::MatrixXd rows(lines.size(), 3 * kPlaces);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const Points places = Resampled(lines[i], kPlaces);
+    for (int k = 0; k < kPlaces; ++k) {
+      rows.block<1, 3>(static_cast<Eigen::Index>(i), 3 * k) = places.row(k);
+    }
+  }
+  return rows;
+}
 
 // Returns the centre that is nearest to a row.
 int NearestCentre(const Eigen::RowVectorXd& row,
@@ -45,13 +59,7 @@ std::vector<std::vector<int>> FibreBands(const std::vector<Points>& fibres,
   const auto num_fibres = static_cast<int>(fibres.size());
   count = std::min(count, num_fibres);
   if (count < 1) return {};
-  Eigen::MatrixXd rows(num_fibres, 3 * kPlaces);
-  for (int i = 0; i < num_fibres; ++i) {
-    const Points places = Resampled(fibres[i], kPlaces);
-    for (int k = 0; k < kPlaces; ++k) {
-      rows.block<1, 3>(i, 3 * k) = places.row(k);
-    }
-  }
+  const Eigen::MatrixXd rows = PlacesOf(fibres);
   Eigen::MatrixXd centres = FirstCentres(rows, count);
   std::vector<std::vector<int>> bands;
   for (int round = 0; round < kMostRounds; ++round) {
@@ -74,6 +82,24 @@ std::vector<std::vector<int>> FibreBands(const std::vector<Points>& fibres,
               bands.end());
   std::sort(bands.begin(), bands.end());
   return bands;
+}
+
+Points MeanFibre(const std::vector<Points>& fibres,
+                 const std::vector<int>& band) {
+  CHECK(!band.empty());
+  Points mean = Points::Zero(kPlaces, 3);
+  for (const int fibre : band) {
+    CHECK_LT(fibre, static_cast<int>(fibres.size()));
+    mean += Resampled(fibres[fibre], kPlaces);
+  }
+  return mean / static_cast<double>(band.size());
+}
+
+int NearestLine(const std::vector<Points>& fibres,
+                const std::vector<int>& band,
+                const std::vector<Points>& lines) {
+  CHECK(!lines.empty());
+  return NearestCentre(PlacesOf({MeanFibre(fibres, band)}), PlacesOf(lines));
 }
 
 }  // namespace musclewarp

@@ -16,4 +16,16 @@ namespace musclewarp {
 std::vector<std::vector<int>> FibreBands(const std::vector<Points>& fibres,
                                          int count);
 
+// Returns the mean of the fibres of a band, given by their numbers: ten points.
+// Precondition (CHECKed): there is a fibre, and all are there.
+Points MeanFibre(const std::vector<Points>& fibres,
+                 const std::vector<int>& band);
+
+// Returns the number of the line (#P x 3 each, mm) that runs closest to a band,
+// given by the numbers of its fibres: over ten points of each, to MeanFibre().
+// Precondition (CHECKed): there is a line and a fibre.
+int NearestLine(const std::vector<Points>& fibres,
+                const std::vector<int>& band,
+                const std::vector<Points>& lines);
+
 }  // namespace musclewarp

@@ -101,7 +101,7 @@ OrderedJson PathJson(const FittedPath& fitted, const RunPaths& paths) {
   }
   const PathSurvey& survey = fitted.survey;
   return {{"muscle", path.muscle},
-          {"fibres", path.fibres},
+          {"fibres", path.fibres.size()},
           {"coordinates", names},
           {"range", ranges},
           {"order", function.exponents.rowwise().sum().maxCoeff()},

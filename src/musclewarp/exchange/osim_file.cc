@@ -10,21 +10,15 @@
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/text.h"
 #include "musclewarp/base/xml_text.h"
+#include "musclewarp/exchange/osim_text.h"
 #include "musclewarp/opensim/multivariate_polynomial.h"
 #include "musclewarp/opensim/osim_xml.h"
 
 namespace musclewarp {
 namespace {
 
-constexpr double kMetres = 1e-3;  // in a mm
-constexpr char kPath[] = "GeometryPath";
+constexpr double kMetres = 1e-3;                    // in a mm
 constexpr std::string_view kMark = "\xEF\xBB\xBF";  // of UTF-8
-
-// A piece of the text and what stands there instead.
-struct Edit {
-  size_t begin = 0, end = 0;
-  std::string text;
-};
 
 // Whether a name ends with "Joint", as those of all joints do.
 bool IsJoint(pugi::xml_node node) {
@@ -64,47 +58,6 @@ std::string CoordinatePath(const pugi::xml_document& document,
   }
   return std::string("/jointset/") + joint.attribute("name").value() + "/" +
          last;
-}
-
-pugi::xml_node PathOfMuscle(const pugi::xml_document& document,
-                            const std::string& where,
-                            const std::string& muscle) {
-  pugi::xml_node path;
-  int count = 0;
-  document.find_node([&](pugi::xml_node node) {
-    pugi::xml_node force = node.parent();
-    if (std::string(force.name()) == "path") force = force.parent();
-    if (std::string(node.name()) == kPath &&
-        force.attribute("name").value() == muscle && ++count == 1) {
-      path = node;
-    }
-    return false;
-  });
-  if (count > 1) {
-    throw InputError(where,
-                     "has " + std::to_string(count) + " muscles named \"" +
-                         muscle + "\", and one path is for one of them",
-                     "give every muscle of the model a name of its own");
-  }
-  if (path) return path;
-  throw InputError(where,
-                   "has no muscle \"" + muscle + "\" with a <GeometryPath>",
-                   "give the model that the run was made with");
-}
-
-// Returns the position after the end tag of an element whose start tag begins
-// at `begin`. Comments may hold anything.
-size_t EndOfElement(const std::string& text, size_t begin) {
-  const std::string end_tag = std::string("</") + kPath;
-  for (size_t i = begin; i < text.size(); ++i) {
-    if (text.compare(i, 4, "<!--") == 0) {
-      i = text.find("-->", i);
-    } else if (text.compare(i, end_tag.size(), end_tag) == 0) {
-      return text.find('>', i) + 1;
-    }
-    if (i == std::string::npos) break;
-  }
-  return begin;
 }
 
 // Returns the polynomial with all monomials up to its order, as OpenSim has
@@ -184,13 +137,6 @@ std::string PathText(const std::string& coordinates,
   return text;
 }
 
-// The white space before a position in its line.
-std::string IndentAt(const std::string& text, size_t position) {
-  const size_t start = text.find_last_of('\n', position) + 1;
-  const size_t end = text.find_first_not_of(" \t", start);
-  return text.substr(start, std::min(end, position) - start);
-}
-
 }  // namespace
 
 std::string WithFunctionPaths(
@@ -201,15 +147,9 @@ std::string WithFunctionPaths(
   const std::string text = DecodeXml(bytes).utf8;
   const bool has_mark = bytes.compare(0, kMark.size(), kMark) == 0;
   pugi::xml_document document;
-  const auto result = document.load_buffer(
-      text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-  if (!result) {
-    throw InputError(where,
-                     std::string("is not XML: ") + result.description(),
-                     "save the model with OpenSim again");
-  }
+  ParseOsim(text, where, &document);
   const bool has_returns = text.find("\r\n") != std::string::npos;
-  std::vector<Edit> edits;
+  std::vector<TextEdit> edits;
   for (const auto& item : paths) {
     const pugi::xml_node path = PathOfMuscle(document, where, item.first);
     std::string names;
@@ -217,9 +157,9 @@ std::string WithFunctionPaths(
       names += (names.empty() ? "" : " ") +
                XmlEscaped(CoordinatePath(document, where, coordinates[k]));
     }
-    Edit edit;
-    edit.begin = path.offset_debug() - 1;
-    edit.end = EndOfElement(text, edit.begin);
+    TextEdit edit;
+    edit.begin = BeginOf(path);
+    edit.end = EndOf(text, path);
     const std::string indent = IndentAt(text, edit.begin);
     const bool has_tabs = indent.find('\t') != std::string::npos;
     edit.text = PathText(names,
@@ -230,13 +170,7 @@ std::string WithFunctionPaths(
                          has_tabs ? "\t" : "    ");
     edits.push_back(std::move(edit));
   }
-  std::sort(edits.begin(), edits.end(), [](const Edit& a, const Edit& b) {
-    return a.begin > b.begin;
-  });
-  std::string edited = text;
-  for (const Edit& edit : edits) {
-    edited.replace(edit.begin, edit.end - edit.begin, edit.text);
-  }
+  std::string edited = WithEdits(text, std::move(edits));
   edited = WithUtf8Declaration(std::move(edited));
   return has_mark ? std::string(kMark) + edited : edited;
 }

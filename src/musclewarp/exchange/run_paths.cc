@@ -46,66 +46,89 @@ std::vector<std::string> CoordinatesOf(const FrameFigures& frame) {
   return {};
 }
 
-// Adds the paths of the first run, without samples. `bands` has the fibres of
-// each path that is a band.
-void AddPaths(const MeasuredRun& run,
+// Adds the bands of a muscle to `paths`, each with its fibres and what it
+// replaces.
+void AddBands(const MeasuredRun& run,
+              const std::string& muscle,
               int paths_per_muscle,
-              RunPaths* paths,
-              std::map<std::string, std::vector<int>>* bands) {
+              const Model& model,
+              std::vector<MeasuredPath>* paths) {
+  const auto at_rest = std::find_if(
+      run.at_rest.begin(), run.at_rest.end(), [&](const auto& one) {
+        return one.name == muscle;
+      });
+  if (at_rest == run.at_rest.end() || at_rest->fibres.empty()) {
+    throw InputError(run.name,
+                     "has no fibres of " + muscle,
+                     "run musclewarp-deform with {fibres}=40");
+  }
+  std::vector<std::string> replaces;
+  std::vector<Points> lines;
+  for (const NamedLine& line : at_rest->lines) {
+    if (model.FindMuscle(line.name) < 0) continue;
+    replaces.push_back(line.name);
+    lines.push_back(line.points);
+  }
+  const auto bands = FibreBands(at_rest->fibres, paths_per_muscle);
+  for (size_t b = 0; b < bands.size(); ++b) {
+    MeasuredPath path;
+    path.name = muscle + "_" + std::to_string(b + 1);
+    path.muscle = muscle;
+    path.fibres = bands[b];
+    path.share = static_cast<double>(bands[b].size()) /
+                 static_cast<double>(at_rest->fibres.size());
+    path.replaces = replaces;
+    if (!lines.empty()) {
+      path.nearest = replaces[NearestLine(at_rest->fibres, bands[b], lines)];
+    }
+    paths->push_back(std::move(path));
+  }
+}
+
+// Adds the paths of the first run, without samples.
+void AddPaths(const MeasuredRun& run, int paths_per_muscle, RunPaths* paths) {
   const FrameFigures& frame = run.frames[0];
   paths->coordinates = CoordinatesOf(frame);
   std::vector<int> indices;
   for (const std::string& name : paths->coordinates) {
     indices.push_back(CoordinateNamed(paths->model, name, run.name));
   }
-  const auto add = [&](const std::string& name, const std::string& muscle) {
-    MeasuredPath path;
-    path.name = name;
-    path.muscle = muscle;
-    path.coordinates = CrossedCoordinates(
-        paths->model, indices, BodiesOfPath(paths->model, frame, muscle, name));
-    paths->paths.push_back(std::move(path));
-  };
   const auto beyond = PartsBeyond(run.at_rest, paths->model);
   for (const MuscleFigures& muscle : frame.muscles) {
-    if (paths_per_muscle == 0) {
-      for (const auto& line : muscle.line_lengths) {
-        const bool has_arms = muscle.line_moment_arms.count(line.first) > 0;
-        if (!has_arms && paths->model.FindMuscle(line.first) < 0) {
-          paths->lines_without_arms.push_back(line.first);
-          continue;
-        }
-        add(line.first, muscle.name);
-        const auto part = beyond.find(line.first);
-        if (part != beyond.end()) paths->paths.back().beyond = part->second;
-      }
+    if (paths_per_muscle > 0) {
+      AddBands(run, muscle.name, paths_per_muscle, paths->model, &paths->paths);
       continue;
     }
-    const auto lines = std::find_if(
-        run.at_rest.begin(), run.at_rest.end(), [&](const auto& one) {
-          return one.name == muscle.name;
-        });
-    if (lines == run.at_rest.end() || lines->fibres.empty()) {
-      throw InputError(run.name,
-                       "has no fibres of " + muscle.name,
-                       "run musclewarp-deform with {fibres}=40");
+    for (const auto& line : muscle.line_lengths) {
+      const bool has_arms = muscle.line_moment_arms.count(line.first) > 0;
+      const bool is_in_model = paths->model.FindMuscle(line.first) >= 0;
+      if (!has_arms && !is_in_model) {
+        paths->lines_without_arms.push_back(line.first);
+        continue;
+      }
+      MeasuredPath path;
+      path.name = line.first;
+      path.muscle = muscle.name;
+      path.nearest = line.first;
+      if (is_in_model) path.replaces = {line.first};
+      paths->paths.push_back(std::move(path));
     }
-    const auto of_muscle = FibreBands(lines->fibres, paths_per_muscle);
-    for (size_t b = 0; b < of_muscle.size(); ++b) {
-      add(muscle.name + "_" + std::to_string(b + 1), muscle.name);
-      paths->paths.back().fibres = static_cast<int>(of_muscle[b].size());
-      (*bands)[paths->paths.back().name] = of_muscle[b];
-    }
+  }
+  for (MeasuredPath& path : paths->paths) {
+    const auto part = beyond.find(path.nearest);
+    if (part != beyond.end()) path.beyond = part->second;
+    path.coordinates = CrossedCoordinates(
+        paths->model,
+        indices,
+        BodiesOfPath(paths->model, frame, path.muscle, path.name));
   }
 }
 
 // The frames of one run.
 class FramesOfRun {
  public:
-  FramesOfRun(const MeasuredRun& run,
-              const std::map<std::string, std::vector<int>>& bands,
-              RunPaths* paths)
-      : run_(run), bands_(bands), paths_(*paths) {}
+  FramesOfRun(const MeasuredRun& run, RunPaths* paths)
+      : run_(run), paths_(*paths) {}
 
   void Add() {
     for (size_t i = 0; i < run_.frames.size(); ++i) {
@@ -154,13 +177,14 @@ class FramesOfRun {
         if (path.muscle != muscle.name) continue;
         ++found;
         const std::string field = where + "muscles[" + std::to_string(m) + "].";
-        PathSample sample = path.fibres > 0
-                                ? OfBand(muscle, bands_.at(path.name), field)
-                                : OfLine(muscle, path.name, field);
+        PathSample sample = path.fibres.empty()
+                                ? OfLine(muscle, path.name, field)
+                                : OfBand(muscle, path.fibres, field);
         sample.coordinates = at;
         sample.weight = weight;
         sample.length += path.beyond;
         NoteOtherArms(sample, &path);
+        NoteLength(muscle, sample, &path);
         path.samples.push_back(std::move(sample));
       }
       CheckLines(muscle);
@@ -170,7 +194,7 @@ class FramesOfRun {
 
   // A run with more lines than the first is no run of its scene either.
   void CheckLines(const MuscleFigures& muscle) const {
-    if (!bands_.empty()) return;
+    if (paths_.paths.empty() || !paths_.paths[0].fibres.empty()) return;
     for (const auto& line : muscle.line_lengths) {
       const bool is_known = std::any_of(
           paths_.paths.begin(),
@@ -261,8 +285,18 @@ class FramesOfRun {
     }
   }
 
+  // Takes another sample into the mean of what a band is longer.
+  static void NoteLength(const MuscleFigures& muscle,
+                         const PathSample& sample,
+                         MeasuredPath* path) {
+    const auto line = muscle.line_lengths.find(path->nearest);
+    if (line == muscle.line_lengths.end()) return;
+    const double longer = sample.length - line->second - path->beyond;
+    path->longer +=
+        (longer - path->longer) / static_cast<double>(path->samples.size() + 1);
+  }
+
   const MeasuredRun& run_;
-  const std::map<std::string, std::vector<int>>& bands_;
   RunPaths& paths_;
 };
 
@@ -291,8 +325,13 @@ std::string WhyDoubtful(const FrameFigures& frame) {
          MeasureText(overlap.depth_mm) + " mm deep in each other";
 }
 
-bool IsInModel(const RunPaths& paths, const MeasuredPath& path) {
-  return paths.model.FindMuscle(path.name) >= 0;
+double ForceOf(const MeasuredPath& path, const ModelDynamics& dynamics) {
+  double force = 0;
+  for (const std::string& name : path.replaces) {
+    const auto muscle = dynamics.muscles.find(name);
+    if (muscle != dynamics.muscles.end()) force += muscle->second.force;
+  }
+  return path.share * force;
 }
 
 RunPaths PathsOf(Model model,
@@ -301,15 +340,14 @@ RunPaths PathsOf(Model model,
   CHECK(!runs.empty());
   RunPaths paths;
   paths.model = std::move(model);
-  std::map<std::string, std::vector<int>> bands;
   for (const MeasuredRun& run : runs) {
     if (run.frames.empty()) {
       throw InputError(
           run.name, "has no frames", "run musclewarp-deform again");
     }
     CheckContact(run, runs[0]);
-    if (&run == &runs[0]) AddPaths(run, paths_per_muscle, &paths, &bands);
-    FramesOfRun(run, bands, &paths).Add();
+    if (&run == &runs[0]) AddPaths(run, paths_per_muscle, &paths);
+    FramesOfRun(run, &paths).Add();
   }
   if (paths.paths.empty() || paths.frames.empty()) {
     throw InputError(runs[0].name,

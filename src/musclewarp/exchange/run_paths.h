@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/exchange/measured_run.h"
+#include "musclewarp/opensim/dynamics.h"
 #include "musclewarp/opensim/model.h"
 #include "musclewarp/path_functions/path_sample.h"
 
@@ -14,9 +15,20 @@ namespace musclewarp {
 // What runs measured of a path: a line that a muscle carries, or the mean of a
 // band of its fibres.
 struct MeasuredPath {
-  std::string name;    // of the line, or "psoas_2" of the second band
-  std::string muscle;  // that carries it
-  int fibres = 0;      // of the band; 0 for a line
+  std::string name;         // of the line, or "psoas_2" of the second band
+  std::string muscle;       // that carries it
+  std::vector<int> fibres;  // of the band, ascending; none for a line
+  double share = 1;  // of the force of `replaces`: by the number of fibres
+
+  // The muscles of the model in whose place it is: the line, or all those that
+  // the muscle of a band carries; none if the model has none of them.
+  std::vector<std::string> replaces;
+
+  // The line itself, or of a band that of `replaces` which runs closest to it
+  // at rest, and by how much the band is longer, on the mean of the samples,
+  // mm.
+  std::string nearest;
+  double longer = 0;
 
   // The coordinates that it crosses (CrossedCoordinates), as ascending indices
   // into RunPaths::coordinates, and the largest arm of a sample about one that
@@ -59,8 +71,9 @@ std::string WhyNoSample(const FrameFigures& frame);
 std::string WhyDoubtful(const FrameFigures& frame);
 constexpr double kDoubtfulWeight = 0.1;
 
-// Returns true if a muscle of the model has the name of the path.
-bool IsInModel(const RunPaths& paths, const MeasuredPath& path);
+// Returns the largest force of a path, N: its share of the forces of the
+// muscles that it replaces, or 0 if the model has none of them.
+double ForceOf(const MeasuredPath& path, const ModelDynamics& dynamics);
 
 // Returns the paths of runs of one scene. Coordinates that a run does not give
 // are at the default values of the model. Of a design of postures the usable

@@ -173,8 +173,8 @@ class MjcfWriter {
   }
 
   BodyMass MassOf(const MjcfBody& body) const {
-    const auto mass = mjcf_.dynamics.bodies.find(body.name);
-    return mass == mjcf_.dynamics.bodies.end() ? BodyMass() : mass->second;
+    const auto mass = mjcf_.masses.find(body.name);
+    return mass == mjcf_.masses.end() ? BodyMass() : mass->second;
   }
 
   static void AddJoint(const MjcfJoint& joint, pugi::xml_node body) {
@@ -234,10 +234,7 @@ class MjcfWriter {
           NumbersText(std::array<double, 2>{
               kMetresPerMillimetre * muscle.length_range[0],
               kMetresPerMillimetre * muscle.length_range[1]}));
-      const auto force = mjcf_.dynamics.forces.find(muscle.name);
-      if (force != mjcf_.dynamics.forces.end() && force->second > 0) {
-        Set(node, "force", NumberText(force->second));
-      }
+      if (muscle.force > 0) Set(node, "force", NumberText(muscle.force));
     }
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct MjcfMuscle {
   std::string name;
   SitePath path;
   std::array<double, 2> length_range = {0, 0};  // mm
+  double force = 0;                             // N; 0: as MuJoCo scales it
 };
 
 // The surface of a muscle.
@@ -42,7 +44,7 @@ struct MjcfSkin {
 struct MjcfModel {
   std::string name;
   MjcfTree tree;
-  ModelDynamics dynamics;
+  std::map<std::string, BodyMass> masses;  // by the names of bodies
   std::vector<MjcfBone> bones;
   std::vector<MjcfMuscle> muscles;
   std::vector<MjcfSkin> skins;

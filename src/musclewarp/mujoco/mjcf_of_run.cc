@@ -10,6 +10,7 @@
 
 #include "musclewarp/base/input_error.h"
 #include "musclewarp/base/parallel_for.h"
+#include "musclewarp/exchange/fibre_bands.h"
 #include "musclewarp/exchange/path_coordinates.h"
 #include "musclewarp/mesh/transformed.h"
 #include "musclewarp/run/attachments_file.h"
@@ -88,7 +89,8 @@ class MjcfMaker {
 
   MjcfModel Make() {
     mjcf_.name = model_.name.empty() ? "musclewarp" : model_.name;
-    mjcf_.dynamics = DynamicsOf(model_);
+    dynamics_ = DynamicsOf(model_);
+    mjcf_.masses = dynamics_.bodies;
     Say("joints");
     mjcf_.tree = MakeMjcfTree(model_, ValuesOver(0), ValuesOver(1));
     AddBones();
@@ -156,18 +158,18 @@ class MjcfMaker {
     return BodiesOfPath(model_, frames_[0]->figures, path.muscle, path.name);
   }
 
-  // The lines of a muscle in a frame, or none.
-  static const Points* LineIn(const std::vector<MuscleLines>& lines,
-                              const MeasuredPath& path) {
+  // Where a path is in a frame: the line, or the mean of the band of fibres. No
+  // points if the frame does not have it.
+  static Points PlaceIn(const std::vector<MuscleLines>& lines,
+                        const MeasuredPath& path) {
     for (const MuscleLines& muscle : lines) {
       if (muscle.name != path.muscle) continue;
       for (const NamedLine& line : muscle.lines) {
-        if (line.name == path.name) return &line.points;
+        if (line.name == path.name) return line.points;
       }
-      // A band of fibres lies around the first line.
-      if (!muscle.lines.empty()) return &muscle.lines[0].points;
+      if (!path.fibres.empty()) return MeanFibre(muscle.fibres, path.fibres);
     }
-    return nullptr;
+    return Points(0, 3);
   }
 
   void AddMuscles() {
@@ -189,11 +191,11 @@ class MjcfMaker {
       }
       std::vector<SitePosture> postures;
       for (size_t i = 0; i < chosen.size(); ++i) {
-        const Points* line = LineIn(lines[i], *one.path);
-        if (!line) continue;
+        const Points place = PlaceIn(lines[i], *one.path);
+        if (place.rows() == 0) continue;
         SitePosture posture;
         posture.values = values_[chosen[i]];
-        posture.line = Transformed(*line, ground_from_scene);
+        posture.line = Transformed(place, ground_from_scene);
         Eigen::VectorXd at(static_cast<Eigen::Index>(coordinates.size()));
         for (size_t k = 0; k < coordinates.size(); ++k) {
           at[static_cast<Eigen::Index>(k)] = posture.values[coordinates[k]];
@@ -220,6 +222,7 @@ class MjcfMaker {
                       const std::vector<SitePosture>& postures) const {
     MjcfMuscle muscle;
     muscle.name = one.path->name;
+    muscle.force = ForceOf(*one.path, dynamics_);
     if (postures.empty()) return muscle;
     std::vector<int> bodies = BodiesAlong(BodiesOf(*one.path));
     if (bodies.empty()) return muscle;
@@ -286,6 +289,7 @@ class MjcfMaker {
   const FittedPaths& fitted_;
   const Model& model_;
   const std::function<void(const std::string&)>& on_progress_;
+  ModelDynamics dynamics_;
   MeshesOnModel places_;
   RunOutline run_;
   RecordedPose rest_;

@@ -30,16 +30,18 @@ BodyMass MassOf(const OsimXml& xml, pugi::xml_node element) {
   return body;
 }
 
-void AddForces(const OsimXml& xml,
-               pugi::xml_node element,
-               ModelDynamics* dynamics) {
+void AddMuscles(const OsimXml& xml,
+                pugi::xml_node element,
+                ModelDynamics* dynamics) {
+  if (element.child("max_isometric_force")) {
+    MuscleDynamics& muscle = dynamics->muscles[ComponentName(element)];
+    muscle.force = xml.Number(element, "max_isometric_force", 0);
+    muscle.tendon =
+        kMillimetresPerMetre * xml.Number(element, "tendon_slack_length", 0);
+    return;
+  }
   for (const pugi::xml_node child : ElementsOf(element)) {
-    if (std::string(child.name()) == "max_isometric_force") {
-      dynamics->forces[ComponentName(element)] =
-          xml.Number(element, "max_isometric_force", 0);
-      return;
-    }
-    AddForces(xml, child, dynamics);
+    AddMuscles(xml, child, dynamics);
   }
 }
 
@@ -56,7 +58,7 @@ ModelDynamics DynamicsOf(const Model& model) {
   }
   for (const pugi::xml_node child : ElementsOf(root)) {
     if (std::string(child.name()) != "defaults") {
-      AddForces(xml, child, &dynamics);
+      AddMuscles(xml, child, &dynamics);
     }
   }
   return dynamics;

@@ -23,10 +23,15 @@ struct BodyMass {
   std::array<double, 6> inertia = {0, 0, 0, 0, 0, 0};
 };
 
+struct MuscleDynamics {
+  double force = 0;   // max_isometric_force, N
+  double tendon = 0;  // tendon_slack_length, mm
+};
+
 // By the names of bodies and muscles.
 struct ModelDynamics {
   std::map<std::string, BodyMass> bodies;
-  std::map<std::string, double> forces;  // max_isometric_force, N
+  std::map<std::string, MuscleDynamics> muscles;
 };
 
 // Returns the masses and forces of a model, from its text. Throws InputError at

@@ -349,6 +349,7 @@ PageContents PageContentsOf(const std::vector<RecordedRun>& runs,
   PageContents contents;
   contents.json = {{"views", ViewsJson(runs.at(0), options)},
                    {"measured", MeasuredJson(options.measured, ArmsOf(runs))},
+                   {"functions", options.path_table},
                    {"runs", OrderedJson::array()}};
   const std::vector<std::string> labels = Labels(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {

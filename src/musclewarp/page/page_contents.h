@@ -26,6 +26,8 @@ struct PageOptions {
   double position_tolerance = 0.02;
   // Laid over the moment arms of the runs.
   MeasuredArms measured;
+  // The table of path functions (PathTableOf), or null.
+  nlohmann::ordered_json path_table;
 };
 
 // What the page shows, in two parts that the scripts in tools/report/src/data

@@ -647,6 +647,58 @@ describe("the page", () => {
   });
 });
 
+describe("a design of postures", () => {
+  test("is drawn as dots, with the functions that were fitted", async () => {
+    const design = join(workDir, "design");
+    cpSync(run, design, { recursive: true });
+    const report = readReport(design);
+    report.motion.design = { kind: "latin_hypercube" };
+    writeReport(design, report);
+    const errors = { mean: 0.125, quantile_95: 0.5, largest: 1 };
+    const psoas = {
+      muscle: "psoas_major_r",
+      coordinates: ["hip_flexion_r"],
+      terms: 7,
+      held_back: { length_error_mm: errors, arm_error_mm: errors },
+      lines_through_range: { lines: 500, jumps: 2, with_sign_change: 3 },
+      within_bounds: false,
+    };
+    writeFileSync(
+      join(design, "fit.json"),
+      JSON.stringify({
+        max_length_error_mm: 0.5,
+        max_arm_error_mm: 1,
+        largest_arm_error_mm: 5,
+        frames: report.frames.length,
+        frames_doubtful: [],
+        frames_left_out: ["frame_0003"],
+        microseconds: 1.5,
+        muscles: { psoas_r: psoas },
+      }),
+    );
+    const page = await browser.openReady(
+      writePage(design, join(workDir, "design.html")),
+    );
+    await hasText(page, "Over the postures");
+    const marks = (kind) =>
+      page.locator(`#figure-line-lengths [aria-label=${kind}] > *`).count();
+    assert.equal(await marks("line"), 0);
+    assert.equal(await marks("dot"), 7 * report.frames.length);
+    assert.match(await page.innerText("#functions"), /1 left out/);
+    assert.deepEqual(
+      await page.locator("#functions tbody tr > *").allInnerTexts(),
+      [
+        "psoas_r",
+        "hip_flexion_r",
+        "7",
+        ...["0.13", "0.50", "1.00", "0.13", "0.50", "1.00"],
+        ...["2", "3 of 500", "no"],
+      ],
+    );
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
 describe("two runs", () => {
   test("stand beside each other under one camera", async () => {
     const other = join(workDir, "copy");

@@ -12,6 +12,7 @@ import { figuresSection } from "./figures/figures";
 import { listenToKeys } from "./keyboard";
 import { colorsByName } from "./mesh_colors";
 import { crossingsPanel } from "./panels/crossings";
+import { functionsSection } from "./panels/functions";
 import { lookPanel, viewNames } from "./panels/look";
 import { meshesPanel } from "./panels/meshes";
 import { pictureButtons } from "./panels/picture";
@@ -167,6 +168,7 @@ function build(data: PageData): void {
       ...(runs.some((run) => run.frames.length > 0)
         ? [figuresSection(data, timeline, colors, store, player)]
         : []),
+      ...(data.functions ? [functionsSection(data.functions)] : []),
       summarySection(runs),
     ),
   );

@@ -37,7 +37,12 @@ export interface Report {
   inputs_hash: string;
   options?: Record<string, string>;
   machine: { processor: string; cores: number; threads?: number };
-  motion?: { model: string; file: string; coordinates: Coordinate[] } | null;
+  motion?: {
+    model: string;
+    file: string;
+    coordinates: Coordinate[];
+    design?: object | null;
+  } | null;
   prepare: {
     wall_ms: number;
     notes?: string[];

@@ -84,6 +84,7 @@ export interface Measured {
 interface PageJson {
   views: Record<string, View>;
   measured: Measured | null;
+  functions: PathTable | null;
   runs: RunJson[];
 }
 
@@ -119,6 +120,31 @@ export interface Crossing extends PairFigures {
   trianglesOfB?: Int32Array;
 }
 
+// Of errors at postures that a function does not know, mm.
+type ErrorFigures = [mean: number, quantile95: number, largest: number];
+
+// What src/musclewarp/page/path_table.cc says of a fit.json.
+export interface PathTable {
+  file: string;
+  frames: number;
+  frames_doubtful: number;
+  frames_left_out: number;
+  microseconds: number;
+  bounds_mm: [length: number, arm: number, largestArm: number];
+  rows: {
+    name: string;
+    muscle: string;
+    coordinates: string[];
+    terms: number;
+    length_mm: ErrorFigures | null;
+    arm_mm: ErrorFigures | null;
+    lines: number;
+    jumps: number;
+    with_sign_change: number;
+    within_bounds: boolean;
+  }[];
+}
+
 export interface Run {
   folder: string;
   report: Report;
@@ -136,7 +162,14 @@ export interface Run {
 export interface PageData {
   views: Record<string, View>;
   measured: Measured | null;
+  functions: PathTable | null;
   runs: Run[];
+}
+
+// Whether the frames are postures all over the ranges of the joints, which are
+// no sequence in time.
+export function isOfDesign(run: Run): boolean {
+  return !!run.report.motion?.design;
 }
 
 // Numbers in rows of a pose each, scaled; unpacked when they are first asked for.
@@ -212,6 +245,7 @@ export async function readPageData(): Promise<PageData> {
   return {
     views: json.views,
     measured: json.measured,
+    functions: json.functions,
     runs: json.runs.map((run) => runFrom(run, packed)),
   };
 }

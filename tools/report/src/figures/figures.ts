@@ -3,7 +3,7 @@
 
 // All plots, the choice of their abscissa, and toggles of muscles.
 
-import { MeasuredArm, PageData, Run } from "../data/run";
+import { MeasuredArm, PageData, Run, isOfDesign } from "../data/run";
 import { Moment } from "../data/timeline";
 import { button, element, labelled, section, select } from "../dom";
 import { MeshColors } from "../mesh_colors";
@@ -292,7 +292,7 @@ export function figuresSection(
     ),
   );
   const made = section(
-    "Over the motion",
+    runs.every(isOfDesign) ? "Over the postures" : "Over the motion",
     "over-the-motion",
     element(
       "div",

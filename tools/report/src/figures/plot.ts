@@ -5,7 +5,7 @@
 
 import * as Plot from "@observablehq/plot";
 
-import { Run } from "../data/run";
+import { Run, isOfDesign } from "../data/run";
 import { MeshColors } from "../mesh_colors";
 import { readable } from "../palette";
 import { MeasuredCurve, measuredMarks, measuredPoints } from "./measured";
@@ -19,6 +19,7 @@ interface Point {
   dashed: boolean;
   frame: number; // of the run, from 0
   run: number;
+  ofDesign: boolean; // no line goes through it
   text: string;
 }
 
@@ -50,6 +51,7 @@ function pointsOf(figure: Figure, options: PlotOptions): Point[] {
   const { runs, abscissa, colors } = options;
   return figure.series.filter(options.isShown).flatMap((series) => {
     const { frames, folder } = runs[series.run];
+    const ofDesign = isOfDesign(runs[series.run]);
     const run = runs.length > 1 ? ` (${folder})` : "";
     return series.values.map((y, frame) => {
       const x = abscissa.value(frames[frame], frame);
@@ -58,6 +60,7 @@ function pointsOf(figure: Figure, options: PlotOptions): Point[] {
         y,
         frame,
         run: series.run,
+        ofDesign,
         key: `${series.run} ${series.muscle} ${series.name}`,
         color: colorOf(series, colors),
         dashed: series.run > 0,
@@ -83,7 +86,7 @@ export function drawPlot(
   const finite = points.filter(({ x, y }) => Number.isFinite(x + y));
   const line = (dashed: boolean) =>
     Plot.line(
-      points.filter((point) => point.dashed === dashed),
+      points.filter((point) => point.dashed === dashed && !point.ofDesign),
       {
         x: "x",
         y: "y",
