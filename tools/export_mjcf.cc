@@ -43,13 +43,13 @@ OrderedJson TendonsJson(const MjcfModel& mjcf) {
   return tendons;
 }
 
-OrderedJson SkinsJson(const MjcfModel& mjcf, const Model& model) {
+OrderedJson SkinsJson(const MjcfModel& mjcf) {
   OrderedJson skins = OrderedJson::object();
   for (const MjcfSkin& skin : mjcf.skins) {
     OrderedJson bodies = OrderedJson::array();
-    for (const int body : skin.bodies)
-      bodies.push_back(model.bodies[body].name);
+    for (const MjcfSkinBone& bone : skin.bones) bodies.push_back(bone.body);
     skins[skin.name] = {{"bodies", bodies},
+                        {"slides", skin.num_slides},
                         {"distance_mean_mm", skin.skin.mean_distance},
                         {"distance_max_mm", skin.skin.largest_distance}};
   }
@@ -87,10 +87,11 @@ void PrintModel(const MjcfModel& mjcf, std::ostream& screen) {
   for (const MjcfSkin& skin : mjcf.skins) {
     std::snprintf(line,
                   sizeof line,
-                  "skin %-24s %d bodies; from its frames: %.2f mm, largest "
-                  "%.2f\n",
+                  "skin %-24s %d bodies and %d slides; from its frames: %.2f "
+                  "mm, largest %.2f\n",
                   skin.name.c_str(),
-                  static_cast<int>(skin.bodies.size()),
+                  static_cast<int>(skin.bones.size()) - skin.num_slides,
+                  skin.num_slides,
                   skin.skin.mean_distance,
                   skin.skin.largest_distance);
     screen << line;
@@ -110,7 +111,7 @@ void WriteModel(const std::string& out,
   }
   for (const MjcfSkin& skin : mjcf.skins) {
     WriteTextAtomically((assets / (skin.name + ".skn")).string(),
-                        SknBytes(skin, model));
+                        SknBytes(skin));
   }
   WriteTextAtomically((fs::path(out) / "model.fit.json").string(),
                       record.dump(2) + "\n");
@@ -130,16 +131,19 @@ int ExportMjcf(const std::string& runs,
   const RunPaths paths =
       ReadRunPaths(dirs, options.model, options.paths_per_muscle);
   const FittedPaths fitted = FitPaths(paths, options.bounds);
-  const MjcfModel mjcf =
-      MjcfOfRun(dirs[0], paths, fitted, [&](const std::string& what) {
-        screen << "fitting: " << what << std::endl;
-      });
+  const MjcfModel mjcf = MjcfOfRun(dirs[0],
+                                   paths,
+                                   fitted,
+                                   options.max_skin_distance,
+                                   [&](const std::string& what) {
+                                     screen << "fitting: " << what << std::endl;
+                                   });
   const std::string model_file = (fs::path(out) / "model.xml").string();
   OrderedJson record =
       PathRecord(runs, model_file, paths, fitted, options.bounds);
   record["joints"] = CouplingsJson(mjcf.tree);
   record["tendons"] = TendonsJson(mjcf);
-  record["skins"] = SkinsJson(mjcf, paths.model);
+  record["skins"] = SkinsJson(mjcf);
   const OutputLock lock(out);
   WriteModel(out, mjcf, paths.model, record);
   PrintFits(paths, fitted, screen);

@@ -15,6 +15,7 @@ struct PathExportOptions {
   std::string model;
   int paths_per_muscle = 0;
   PathBounds bounds;
+  double max_skin_distance = 2;  // mm
 };
 
 constexpr const char* HeadingOf(Described<PathExportOptions>) {
@@ -50,6 +51,11 @@ constexpr auto FieldsOf(Described<PathExportOptions>) {
           .Text("of fit, mjcf and osim: exit code 1 if one of these moment "
                 "arms is "
                 "worse")
+          .Above(0),
+      Field(&S::max_skin_distance, "max_skin_distance_mm", "mm")
+          .Text("of mjcf: skins that are farther from the frames on the mean "
+                "get slides, which are bodies and joints of their own; large "
+                "values: none")
           .Above(0),
       NotWritten(&S::bounds));
 }

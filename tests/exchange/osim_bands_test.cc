@@ -27,7 +27,8 @@ std::string MuscleWith(const std::string& name, const std::string& force) {
           "<tendon_slack_length>0.25</tendon_slack_length><GeometryPath");
 }
 
-std::string LegModel(const std::string& second = MuscleWith("vastus_b", "400")) {
+std::string LegModel(const std::string& second = MuscleWith("vastus_b",
+                                                            "400")) {
   return Replaced(
       Model4(Joint4("PinJoint", "knee"),
              "",
@@ -96,11 +97,11 @@ TEST(OsimBands, AreMusclesOfTheModel) {
 }
 
 TEST(OsimBands, NeedAForceAndATendon) {
-  const Model model = ReadModel(Written(
-      "leg.osim",
-      LegModel(Muscle("vastus_b",
-                      Point4("a", "/bodyset/thigh", "0 0 0") +
-                          Point4("b", "/bodyset/shank", "0 0 0")))));
+  const Model model = ReadModel(
+      Written("leg.osim",
+              LegModel(Muscle("vastus_b",
+                              Point4("a", "/bodyset/thigh", "0 0 0") +
+                                  Point4("b", "/bodyset/shank", "0 0 0")))));
   ExpectInputError([&] { BandMusclesOf(PathsOfBands(model)); },
                    {"leg.osim: muscle \"vastus_b\"", "max_isometric_force"});
 }

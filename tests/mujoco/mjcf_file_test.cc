@@ -44,9 +44,9 @@ struct SmallMjcf {
     skin.skin.weights.resize(4, 2);
     skin.skin.weights << 1, 0, 0.5, 0.5, 0, 1, 0.25, 0.75;
     skin.triangles = triangles;
-    skin.bodies = {1, 2};
-    skin.rest_from_body.assign(2, Eigen::Matrix4d::Identity());
-    skin.rest_from_body[1](0, 3) = 1000;
+    skin.bones = {{"thigh", Eigen::Matrix4d::Identity()},
+                  {"shank", Eigen::Matrix4d::Identity()}};
+    skin.bones[1].rest_from_body(0, 3) = 1000;
     mjcf.skins.push_back(skin);
   }
 };
@@ -98,7 +98,7 @@ class SknReader {
 
 TEST(MjcfFile, SkinHasTheLayoutOfMujoco) {
   const SmallMjcf small;
-  SknReader file(SknBytes(small.mjcf.skins[0], small.model));
+  SknReader file(SknBytes(small.mjcf.skins[0]));
   EXPECT_EQ(file.Next<std::int32_t>(), 4);  // vertices
   EXPECT_EQ(file.Next<std::int32_t>(), 0);  // texture coordinates
   EXPECT_EQ(file.Next<std::int32_t>(), 4);  // faces
@@ -126,8 +126,8 @@ TEST(MjcfFile, SkinHasTheLayoutOfMujoco) {
 
 TEST(MjcfFile, RefusesNamesThatASkinCannotHold) {
   SmallMjcf small;
-  small.model.bodies[2].name = std::string(40, 'x');
-  ExpectInputError([&] { SknBytes(small.mjcf.skins[0], small.model); },
+  small.mjcf.skins[0].bones[1].body = std::string(40, 'x');
+  ExpectInputError([&] { SknBytes(small.mjcf.skins[0]); },
                    {"has a name of 40 bytes"});
 }
 

@@ -41,8 +41,8 @@ std::string Written(const OrderedJson& fit) {
 TEST(PathTable, HasARowForEachFunction) {
   const OrderedJson errors = {
       {"mean", 0.1}, {"quantile_95", 0.3}, {"largest", 0.7}};
-  const OrderedJson table = PathTableOf(Written(
-      FitOf({{"length_error_mm", errors}, {"arm_error_mm", errors}})));
+  const OrderedJson table = PathTableOf(
+      Written(FitOf({{"length_error_mm", errors}, {"arm_error_mm", errors}})));
   EXPECT_EQ(table.at("file"), "fit.json");
   EXPECT_EQ(table.at("frames_left_out"), 2);
   EXPECT_EQ(table.at("bounds_mm"), OrderedJson({0.5, 1, 5}));
@@ -63,8 +63,11 @@ TEST(PathTable, RefusesOtherFiles) {
   fit["muscles"]["psoas_r"].erase("terms");
   ExpectInputError([&] { PathTableOf(Written(fit)); },
                    {"fit.json", "psoas_r", "terms"});
-  ExpectInputError([&] { PathTableOf(Written({{"frames", 3}})); },
-                   {"fit.json", "muscles"});
+  ExpectInputError(
+      [&] {
+        PathTableOf(Written({{"frames", 3}}));
+      },
+      {"fit.json", "muscles"});
 }
 
 }  // namespace

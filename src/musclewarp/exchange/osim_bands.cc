@@ -166,8 +166,8 @@ std::string WithBandMuscles(const std::string& bytes,
     for (const BandMuscle* band : in_place_of[name]) {
       const pugi::xml_node like =
           OwnerOfPath(PathOfMuscle(document, where, band->like));
-      edit.text += (edit.text.empty() ? "" : "\n" + indent) +
-                   CopyOf(text, like, *band);
+      edit.text +=
+          (edit.text.empty() ? "" : "\n" + indent) + CopyOf(text, like, *band);
       of_bands += (of_bands.empty() ? "" : " ") + band->name;
     }
     edits.push_back(std::move(edit));

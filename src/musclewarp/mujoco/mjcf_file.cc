@@ -151,6 +151,8 @@ class MjcfWriter {
           NumbersText(
               Eigen::Vector3d(body.parent_from_body.topRightCorner<3, 1>())));
       Set(node, "quat", TurnText(body.parent_from_body));
+      // What has nothing but joints weighs nothing either.
+      if (body.model_body < 0) Set(node, "gravcomp", "1");
       AddInertia(MassOf(body), node);
       for (const MjcfJoint& joint : body.joints) AddJoint(joint, node);
       if (body.model_body >= 0) of_model[body.model_body] = node;
@@ -300,13 +302,13 @@ std::string MjcfText(const MjcfModel& mjcf, const Model& model) {
   return MjcfWriter(mjcf, model).Write();
 }
 
-std::string SknBytes(const MjcfSkin& skin, const Model& model) {
+std::string SknBytes(const MjcfSkin& skin) {
   SknWriter writer;
   const Eigen::Index count = skin.skin.places.rows();
   writer.Add(static_cast<std::int32_t>(count));
   writer.Add(std::int32_t{0});  // texture coordinates
   writer.Add(static_cast<std::int32_t>(skin.triangles.rows()));
-  writer.Add(static_cast<std::int32_t>(skin.bodies.size()));
+  writer.Add(static_cast<std::int32_t>(skin.bones.size()));
   for (Eigen::Index v = 0; v < count; ++v) {
     for (int k = 0; k < 3; ++k) {
       writer.Add(
@@ -318,8 +320,8 @@ std::string SknBytes(const MjcfSkin& skin, const Model& model) {
       writer.Add(static_cast<std::int32_t>(skin.triangles(f, k)));
     }
   }
-  for (size_t b = 0; b < skin.bodies.size(); ++b) {
-    const std::string& name = model.bodies[skin.bodies[b]].name;
+  for (size_t b = 0; b < skin.bones.size(); ++b) {
+    const std::string& name = skin.bones[b].body;
     if (name.size() >= SknWriter::kNameSize) {
       throw InputError(
           "the body \"" + name + "\"",
@@ -327,7 +329,7 @@ std::string SknBytes(const MjcfSkin& skin, const Model& model) {
           "skins of MuJoCo have at most 39; rename the body");
     }
     writer.AddName(name);
-    const Eigen::Matrix4d& place = skin.rest_from_body[b];
+    const Eigen::Matrix4d& place = skin.bones[b].rest_from_body;
     for (int k = 0; k < 3; ++k) {
       writer.Add(static_cast<float>(kMetresPerMillimetre * place(k, 3)));
     }
@@ -337,7 +339,7 @@ std::string SknBytes(const MjcfSkin& skin, const Model& model) {
     }
     std::vector<Eigen::Index> vertices;
     for (Eigen::Index v = 0; v < count; ++v) {
-      if (skin.skin.weights(v, b) > 0) vertices.push_back(v);
+      if (skin.skin.weights(v, b) != 0) vertices.push_back(v);
     }
     writer.Add(static_cast<std::int32_t>(vertices.size()));
     for (const Eigen::Index v : vertices) {

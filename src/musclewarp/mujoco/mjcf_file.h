@@ -31,13 +31,19 @@ struct MjcfMuscle {
   double force = 0;                             // N; 0: as MuJoCo scales it
 };
 
+// A body that carries a skin.
+struct MjcfSkinBone {
+  std::string body;
+  Eigen::Matrix4d rest_from_body;  // mm
+};
+
 // The surface of a muscle.
 struct MjcfSkin {
   std::string name;
-  SkinWeights skin;  // over `bodies`, places in the rest pose, mm
+  SkinWeights skin;  // over `bones`, places in the rest pose, mm
   Triangles triangles;
-  std::vector<int> bodies;  // of the model: the bones of the skin
-  std::vector<Eigen::Matrix4d> rest_from_body;  // their places there, mm
+  std::vector<MjcfSkinBone> bones;  // bodies of the model, then slides
+  int num_slides = 0;
 };
 
 // A model for MuJoCo.
@@ -61,7 +67,7 @@ constexpr double kLeastMass = 1e-3;
 
 // Returns the bytes of a .skn file of MuJoCo. Throws InputError if the name of
 // a body has more than 39 bytes, which the format does not hold.
-std::string SknBytes(const MjcfSkin& skin, const Model& model);
+std::string SknBytes(const MjcfSkin& skin);
 
 // Returns the text of an .obj file of a mesh, in m.
 std::string MeshText(const TriangleSoup& mesh);

@@ -13,6 +13,7 @@
 #include "musclewarp/exchange/fibre_bands.h"
 #include "musclewarp/exchange/path_coordinates.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mujoco/skin_slides.h"
 #include "musclewarp/run/attachments_file.h"
 #include "musclewarp/run/run_reader.h"
 
@@ -20,6 +21,7 @@ namespace musclewarp {
 namespace {
 
 using Eigen::Matrix4d;
+using Eigen::MatrixXd;
 
 // How the meshes of a run lie on its model, mm.
 struct MeshesOnModel {
@@ -64,9 +66,11 @@ class MjcfMaker {
   MjcfMaker(const std::string& dir,
             const RunPaths& paths,
             const FittedPaths& fitted,
+            double max_skin_distance,
             const std::function<void(const std::string&)>& on_progress)
       : paths_(paths),
         fitted_(fitted),
+        max_skin_distance_(max_skin_distance),
         model_(paths.model),
         on_progress_(on_progress) {
     const JsonField report = ReadReport(dir);
@@ -248,13 +252,15 @@ class MjcfMaker {
     for (const size_t f : chosen) {
       ground_from_body.push_back(BodyFrames(model_, values_[f]));
     }
+    const std::vector<int> drivers = Drivers();
+    const MatrixXd values = ValuesIn(chosen, drivers);
     for (size_t m = 0; m < points.size(); ++m) {
       const std::string& name = run_.names.muscles[m];
       Say("skin of " + name);
       MjcfSkin skin;
       skin.name = name;
-      skin.bodies = BodiesOfSkin(name);
-      if (skin.bodies.empty()) {
+      const std::vector<int> bodies = BodiesOfSkin(name);
+      if (bodies.empty()) {
         mjcf_.tree.notes.push_back(
             "the muscle " + name +
             " is on no body of the model, and has no skin");
@@ -263,19 +269,98 @@ class MjcfMaker {
       std::vector<std::vector<Matrix4d>> motions;
       for (const auto& frames : ground_from_body) {
         std::vector<Matrix4d>& of_bones = motions.emplace_back();
-        for (const int body : skin.bodies) {
+        for (const int body : bodies) {
           of_bones.push_back(places_.scene_from_ground * frames[body] *
                              places_.body_from_rest.at(body));
         }
       }
-      for (const int body : skin.bodies) {
-        skin.rest_from_body.push_back(
-            RigidInverse(places_.body_from_rest.at(body)));
+      for (const int body : bodies) {
+        skin.bones.push_back({model_.bodies[body].name,
+                              RigidInverse(places_.body_from_rest.at(body))});
       }
       skin.skin = FitSkin(rest_.muscles[m].points, points[m], motions);
       skin.triangles = rest_.muscles[m].triangles;
+      const SkinSlides slides =
+          FitSlides(skin.skin, points[m], motions, values, max_skin_distance_);
+      if (slides.bone >= 0) {
+        AddSlides(slides, drivers, bodies[slides.bone], &skin);
+      }
       mjcf_.skins.push_back(std::move(skin));
     }
+  }
+
+  // The coordinates that joints of the model have and moment arms are about:
+  // they follow no other.
+  std::vector<int> Drivers() const {
+    std::vector<int> drivers;
+    for (const std::string& name : paths_.coordinates) {
+      const int coordinate = model_.FindCoordinate(name);
+      if (coordinate >= 0) drivers.push_back(coordinate);
+    }
+    return drivers;
+  }
+
+  // The values of coordinates in frames, a row each.
+  MatrixXd ValuesIn(const std::vector<size_t>& frames,
+                    const std::vector<int>& coordinates) const {
+    MatrixXd values(frames.size(), coordinates.size());
+    for (size_t i = 0; i < frames.size(); ++i) {
+      for (size_t c = 0; c < coordinates.size(); ++c) {
+        values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(c)) =
+            values_[frames[i]][coordinates[c]];
+      }
+    }
+    return values;
+  }
+
+  // Adds a body with a joint for each slide, which follows its coordinate, and
+  // takes their weights off those of the bone on which they slide.
+  void AddSlides(const SkinSlides& slides,
+                 const std::vector<int>& drivers,
+                 int body,
+                 MjcfSkin* skin) {
+    const Matrix4d& body_from_rest = places_.body_from_rest.at(body);
+    const auto at =
+        std::find_if(mjcf_.tree.bodies.begin(),
+                     mjcf_.tree.bodies.end(),
+                     [&](const auto& one) { return one.model_body == body; });
+    const int parent = at == mjcf_.tree.bodies.end()
+                           ? -1  // the ground
+                           : static_cast<int>(at - mjcf_.tree.bodies.begin());
+    const SkinWeights& bones = skin->skin;
+    MatrixXd weights(
+        bones.weights.rows(),
+        bones.weights.cols() + static_cast<Eigen::Index>(slides.slides.size()));
+    weights.leftCols(bones.weights.cols()) = bones.weights;
+    Eigen::Index column = bones.weights.cols();
+    for (const SkinSlide& slide : slides.slides) {
+      const Coordinate& of = model_.coordinates[drivers[slide.coordinate]];
+      MjcfBody added;
+      added.name = "skin_slide_" + std::to_string(++num_slides_);
+      added.parent = parent;
+      MjcfJoint joint;
+      joint.name = added.name;
+      joint.is_hinge = false;
+      joint.axis = body_from_rest.topLeftCorner<3, 3>() * slide.direction;
+      joint.anchor.setZero();
+      MjcfCoupling coupling = {joint.name, of.name};
+      double power = kMetresPerMillimetre;
+      for (size_t k = 0; k < slide.coefficients.size(); ++k) {
+        coupling.coefficients[k] = kMetresPerMillimetre * slide.coefficients[k];
+        joint.default_value += power * slide.coefficients[k];
+        power *= of.default_value;
+      }
+      added.joints.push_back(joint);
+      mjcf_.tree.couplings.push_back(coupling);
+      skin->bones.push_back({added.name, RigidInverse(body_from_rest)});
+      mjcf_.tree.bodies.push_back(std::move(added));
+      weights.col(slides.bone) -= slide.weights;
+      weights.col(column++) = slide.weights;
+    }
+    skin->skin.weights = weights;
+    skin->skin.mean_distance = slides.mean_distance;
+    skin->skin.largest_distance = slides.largest_distance;
+    skin->num_slides = static_cast<int>(slides.slides.size());
   }
 
   std::vector<int> BodiesOfSkin(const std::string& muscle) const {
@@ -287,6 +372,7 @@ class MjcfMaker {
 
   const RunPaths& paths_;
   const FittedPaths& fitted_;
+  const double max_skin_distance_;
   const Model& model_;
   const std::function<void(const std::string&)>& on_progress_;
   ModelDynamics dynamics_;
@@ -296,6 +382,7 @@ class MjcfMaker {
   std::vector<const RecordedFrame*> frames_;  // that count
   std::vector<CoordinateValues> values_;      // of the model, in them
   MjcfModel mjcf_;
+  int num_slides_ = 0;  // of all skins
 };
 
 }  // namespace
@@ -304,8 +391,9 @@ MjcfModel MjcfOfRun(
     const std::string& dir,
     const RunPaths& paths,
     const FittedPaths& fitted,
+    double max_skin_distance,
     const std::function<void(const std::string&)>& on_progress) {
-  return MjcfMaker(dir, paths, fitted, on_progress).Make();
+  return MjcfMaker(dir, paths, fitted, max_skin_distance, on_progress).Make();
 }
 
 }  // namespace musclewarp

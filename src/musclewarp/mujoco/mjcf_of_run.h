@@ -14,9 +14,10 @@ namespace musclewarp {
 // Makes the MuJoCo model of a run: the bodies and joints of its OpenSim model,
 // the meshes of its bones, a tendon for each path that follows its function in
 // the postures of the run, and the surface of each muscle as a skin that
-// follows its frames. `dir` is the folder of the run; `paths` and `fitted` are
-// of it (further runs may be among them). `on_progress` is told what is being
-// fitted, and may be empty.
+// follows its frames, with slides where it is farther than `max_skin_distance`
+// from them on the mean, mm (FitSlides). `dir` is the folder of the run;
+// `paths` and `fitted` are of it (further runs may be among them).
+// `on_progress` is told what is being fitted, and may be empty.
 //
 // Throws InputError that names the file and the field if the run is of an
 // earlier version, which did not write how its meshes lie on the model
@@ -24,10 +25,11 @@ namespace musclewarp {
 MjcfModel MjcfOfRun(const std::string& dir,
                     const RunPaths& paths,
                     const FittedPaths& fitted,
+                    double max_skin_distance,
                     const std::function<void(const std::string&)>& on_progress);
 
 // The most frames to which paths and skins are fitted, evenly spread.
 constexpr int kMostPathFrames = 120;
-constexpr int kMostSkinFrames = 60;
+constexpr int kMostSkinFrames = 120;
 
 }  // namespace musclewarp

@@ -39,9 +39,8 @@ struct MjcfCoupling {
 // A body that hangs on another one, or on the world.
 struct MjcfBody {
   std::string name;
-  int model_body =
-      -1;           // in the model, or -1 for one that only has a coordinate
-  int parent = -1;  // in the list, or -1 for the world
+  int model_body = -1;  // in the model; -1 for one that has nothing but joints
+  int parent = -1;      // in the list, or -1 for the world
   Eigen::Matrix4d parent_from_body = Eigen::Matrix4d::Identity();
   std::vector<MjcfJoint> joints;
 };

@@ -11,7 +11,7 @@ import { createRequire } from "node:module";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { dataDir, deform, workDir } from "./programs.mjs";
+import { dataDir, deform, readReport, workDir } from "./programs.mjs";
 
 const require = createRequire(
   new URL("../../../tools/report/package.json", import.meta.url),
@@ -120,6 +120,59 @@ class Simulation {
   lengthOf(tendon) {
     return 1000 * this.data.ten_length[this.tendons.indexOf(tendon)];
   }
+
+  // The vertices of a skin, mm, from the places of its bodies, as MuJoCo draws
+  // them.
+  skin(skin) {
+    const { model, data } = this;
+    const points = Array.from({ length: model.skin_vertnum[skin] }, () => [
+      0, 0, 0,
+    ]);
+    const first = model.skin_boneadr[skin];
+    const rest = model.skin_vert.slice(3 * model.skin_vertadr[skin]);
+    for (let b = first; b < first + model.skin_bonenum[skin]; ++b) {
+      const body = model.skin_bonebodyid[b];
+      const from = turnOf(model.skin_bonebindquat.slice(4 * b, 4 * b + 4));
+      const bind = model.skin_bonebindpos.slice(3 * b, 3 * b + 3);
+      const to = data.xmat.slice(9 * body, 9 * body + 9);
+      const at = data.xpos.slice(3 * body, 3 * body + 3);
+      const start = model.skin_bonevertadr[b];
+      for (let i = start; i < start + model.skin_bonevertnum[b]; ++i) {
+        const vertex = model.skin_bonevertid[i];
+        const weight = model.skin_bonevertweight[i];
+        const seen = [0, 1, 2].map((k) => rest[3 * vertex + k] - bind[k]);
+        const own = [0, 1, 2].map((k) =>
+          seen.reduce((sum, x, j) => sum + from[j][k] * x, 0),
+        );
+        for (let k = 0; k < 3; ++k) {
+          const moved = own.reduce((sum, x, j) => sum + to[3 * k + j] * x, 0);
+          points[vertex][k] += 1000 * weight * (at[k] + moved);
+        }
+      }
+    }
+    return points;
+  }
+}
+
+// The matrix of a quaternion w, x, y, z.
+function turnOf([w, x, y, z]) {
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ];
+}
+
+// The vertices of a .ply file as musclewarp-deform writes it.
+function pointsOf(file) {
+  const bytes = readFileSync(file);
+  const end = bytes.indexOf("end_header\n") + "end_header\n".length;
+  const [, count] = /element vertex (\d+)/.exec(
+    bytes.toString("latin1", 0, end),
+  );
+  return Array.from({ length: Number(count) }, (_, i) =>
+    [0, 1, 2].map((k) => bytes.readDoubleLE(end + 8 * (3 * i + k))),
+  );
 }
 
 // Numbers from 0 to 1 that are the same every time.
@@ -134,6 +187,7 @@ function draws(seed) {
 const median = (numbers) => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 
 let simulation;
+const run = join(workDir, "postures");
 
 test("MuJoCo loads the model of a design of postures", async () => {
   const scene = JSON.parse(
@@ -146,7 +200,6 @@ test("MuJoCo loads the model of a design of postures", async () => {
   };
   const file = join(workDir, "postures.json");
   writeFileSync(file, JSON.stringify(scene));
-  const run = join(workDir, "postures");
   const root = join(dataDir, "phantom");
   deform(
     "--contact=certified",
@@ -156,6 +209,7 @@ test("MuJoCo loads the model of a design of postures", async () => {
   );
   const out = join(workDir, "mujoco");
   const flags = [`--in=${run}`, `--out=${out}`, "--format=mjcf"];
+  flags.push("--max_skin_distance_mm=0.05"); // so that there are slides
   const { status, stderr } = spawnSync(process.env.MUSCLEWARP_EXPORT, flags);
   assert.ok(status === 0 || status === 1, String(stderr));
   simulation = await Simulation.load(out);
@@ -190,6 +244,38 @@ test("its tendons are as long as ours, with our moment arms", () => {
     assert.ok(median(arms) < 2, `${name}: arms off by ${median(arms)} mm`);
     assert.ok(median(lengths) < 2, `${name}: ${median(lengths)} mm`);
   }
+});
+
+test("its skins are as far from the frames as is told", () => {
+  const { model, fit } = simulation;
+  const report = readReport(run);
+  const sceneFromGround = report.motion.rest.scene_from_ground.slice(0, 3);
+  const place = ([x, y, z]) =>
+    sceneFromGround.map(([a, b, c, d]) => a * x + b * y + c * z + d);
+  const names = Object.keys(fit.skins);
+  const sums = names.map(() => 0);
+  assert.ok(names.some((name) => fit.skins[name].slides > 0));
+  for (const { index, coordinates } of report.frames) {
+    const { hip_flexion_r: degrees } = coordinates;
+    simulation.goTo({ hip_flexion_r: (degrees * Math.PI) / 180 });
+    const folder = `frame_${String(index).padStart(4, "0")}`;
+    names.forEach((name, skin) => {
+      const wanted = pointsOf(join(run, folder, `${name}.ply`));
+      const skinned = simulation.skin(skin);
+      assert.equal(skinned.length, wanted.length);
+      const distances = skinned.map((point, i) =>
+        Math.hypot(...place(point).map((x, k) => x - wanted[i][k])),
+      );
+      sums[skin] += distances.reduce((a, b) => a + b, 0) / distances.length;
+    });
+  }
+  names.forEach((name, skin) => {
+    const mean = sums[skin] / report.frames.length;
+    const told = fit.skins[name].distance_mean_mm;
+    // Skins have numbers of four bytes.
+    assert.ok(Math.abs(mean - told) < 0.01, `${name}: ${mean}, told ${told}`);
+    assert.ok(told <= 0.05, `${name}: ${told}`);
+  });
 });
 
 test("it steps 1000 times without a warning", () => {
