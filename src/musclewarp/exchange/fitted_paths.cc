@@ -113,7 +113,7 @@ OrderedJson PathJson(const FittedPath& fitted, const RunPaths& paths) {
           {"arm_error_rms_mm", fit.at_samples.arm.rms},
           {"held_back", HeldBackJson(fit, paths)},
           {"within_bounds", fitted.within_bounds},
-          {"beyond_muscle_mm", path.beyond},
+          {"beyond_muscle_mm", path.beyond.length},
           {"largest_other_arm_mm", path.largest_other_arm},
           {"lines_through_range",
            {{"lines", survey.lines},
@@ -238,7 +238,7 @@ void PrintFits(const RunPaths& paths,
   }
   const auto beyond = std::count_if(
       paths.paths.begin(), paths.paths.end(), [](const MeasuredPath& path) {
-        return path.beyond > 0;
+        return path.beyond.length > 0;
       });
   if (beyond > 0) {
     screen << beyond

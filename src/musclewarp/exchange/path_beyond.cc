@@ -37,16 +37,23 @@ PlaceOnPath NearestOnPath(const Points& path, const Eigen::RowVector3d& point) {
 
 }  // namespace
 
-double LengthBeyond(const Points& path, const Points& carried) {
+PartsBeyond FindPartsBeyond(const Points& path, const Points& carried) {
   constexpr double kOnPath = 5;       // mm
   constexpr double kShortest = 1e-3;  // mm
-  if (path.rows() < 2 || carried.rows() < 2) return 0;
+  if (path.rows() < 2 || carried.rows() < 2) return {};
   const PlaceOnPath first = NearestOnPath(path, carried.row(0));
   const PlaceOnPath last = NearestOnPath(path, carried.row(carried.rows() - 1));
-  if (std::max(first.distance, last.distance) > kOnPath) return 0;
-  const double beyond =
+  if (std::max(first.distance, last.distance) > kOnPath) return {};
+  PartsBeyond beyond;
+  beyond.length =
       first.along + std::max(0.0, PolylineLength(path) - last.along);
-  return last.along > first.along && beyond > kShortest ? beyond : 0;
+  if (last.along <= first.along || beyond.length <= kShortest) return {};
+  for (Eigen::Index i = 0; i < path.rows(); ++i) {
+    const double along = PolylineLength(path.topRows(i + 1));
+    if (along < first.along) ++beyond.points_before;
+    if (along > last.along) ++beyond.points_after;
+  }
+  return beyond;
 }
 
 Points DefaultPath(const Model& model, int muscle) {
@@ -64,6 +71,30 @@ Points DefaultPath(const Model& model, int muscle) {
                       .transpose();
   }
   return path;
+}
+
+Points WithPartsBeyond(const Points& line,
+                       const PartsBeyond& beyond,
+                       const Model& model,
+                       const std::string& muscle,
+                       const CoordinateValues& values) {
+  if (beyond.points_before + beyond.points_after == 0) return line;
+  const std::vector<PathPoint>& path =
+      model.muscles[model.FindMuscle(muscle)].path;
+  const auto ground_from_body = BodyFrames(model, values);
+  Points whole(beyond.points_before + line.rows() + beyond.points_after, 3);
+  const auto put = [&](Eigen::Index row, const PathPoint& point) {
+    whole.row(row) =
+        (ground_from_body[point.body] * point.location.homogeneous())
+            .head<3>()
+            .transpose();
+  };
+  for (int i = 0; i < beyond.points_before; ++i) put(i, path[i]);
+  whole.middleRows(beyond.points_before, line.rows()) = line;
+  for (int i = 1; i <= beyond.points_after; ++i) {
+    put(whole.rows() - i, path[path.size() - i]);
+  }
+  return whole;
 }
 
 }  // namespace musclewarp

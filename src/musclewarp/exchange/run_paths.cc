@@ -21,14 +21,15 @@ namespace musclewarp {
 namespace {
 
 // The parts of paths that the muscles of a run do not carry, by line.
-std::map<std::string, double> PartsBeyond(
+std::map<std::string, PartsBeyond> PartsBeyondMuscles(
     const std::vector<MuscleLines>& at_rest, const Model& model) {
-  std::map<std::string, double> beyond;
+  std::map<std::string, PartsBeyond> beyond;
   for (const MuscleLines& muscle : at_rest) {
     for (const NamedLine& line : muscle.lines) {
       const int index = model.FindMuscle(line.name);
       if (index < 0) continue;
-      beyond[line.name] = LengthBeyond(DefaultPath(model, index), line.points);
+      beyond[line.name] =
+          FindPartsBeyond(DefaultPath(model, index), line.points);
     }
   }
   return beyond;
@@ -93,7 +94,7 @@ void AddPaths(const MeasuredRun& run, int paths_per_muscle, RunPaths* paths) {
   for (const std::string& name : paths->coordinates) {
     indices.push_back(CoordinateNamed(paths->model, name, run.name));
   }
-  const auto beyond = PartsBeyond(run.at_rest, paths->model);
+  const auto beyond = PartsBeyondMuscles(run.at_rest, paths->model);
   for (const MuscleFigures& muscle : frame.muscles) {
     if (paths_per_muscle > 0) {
       AddBands(run, muscle.name, paths_per_muscle, paths->model, &paths->paths);
@@ -182,7 +183,7 @@ class FramesOfRun {
                                 : OfBand(muscle, path.fibres, field);
         sample.coordinates = at;
         sample.weight = weight;
-        sample.length += path.beyond;
+        sample.length += path.beyond.length;
         NoteOtherArms(sample, &path);
         NoteLength(muscle, sample, &path);
         path.samples.push_back(std::move(sample));
@@ -291,7 +292,7 @@ class FramesOfRun {
                          MeasuredPath* path) {
     const auto line = muscle.line_lengths.find(path->nearest);
     if (line == muscle.line_lengths.end()) return;
-    const double longer = sample.length - line->second - path->beyond;
+    const double longer = sample.length - line->second - path->beyond.length;
     path->longer +=
         (longer - path->longer) / static_cast<double>(path->samples.size() + 1);
   }

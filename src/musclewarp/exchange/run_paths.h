@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "musclewarp/exchange/measured_run.h"
+#include "musclewarp/exchange/path_beyond.h"
 #include "musclewarp/opensim/dynamics.h"
 #include "musclewarp/opensim/model.h"
 #include "musclewarp/path_functions/path_sample.h"
@@ -38,10 +39,10 @@ struct MeasuredPath {
 
   std::vector<PathSample> samples;  // over all of RunPaths::coordinates
 
-  // What the samples contain of the path beyond the muscle, such as a tendon
-  // with a mesh of its own, mm (path_beyond.h): as long as at rest in every
-  // frame.
-  double beyond = 0;
+  // What the samples contain of the path of `nearest` in the model beyond the
+  // muscle, such as a tendon with a mesh of its own: as long as at rest in
+  // every frame.
+  PartsBeyond beyond;
 };
 
 // What runs with an OpenSim model measured of all paths.

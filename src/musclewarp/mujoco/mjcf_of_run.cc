@@ -13,6 +13,7 @@
 #include "musclewarp/exchange/fibre_bands.h"
 #include "musclewarp/exchange/path_coordinates.h"
 #include "musclewarp/mesh/transformed.h"
+#include "musclewarp/mujoco/mjcf_slides.h"
 #include "musclewarp/mujoco/skin_slides.h"
 #include "musclewarp/run/attachments_file.h"
 #include "musclewarp/run/run_reader.h"
@@ -199,13 +200,17 @@ class MjcfMaker {
         if (place.rows() == 0) continue;
         SitePosture posture;
         posture.values = values_[chosen[i]];
-        posture.line = Transformed(place, ground_from_scene);
+        posture.line = WithPartsBeyond(Transformed(place, ground_from_scene),
+                                       one.path->beyond,
+                                       model_,
+                                       one.path->nearest,
+                                       posture.values);
         Eigen::VectorXd at(static_cast<Eigen::Index>(coordinates.size()));
         for (size_t k = 0; k < coordinates.size(); ++k) {
           at[static_cast<Eigen::Index>(k)] = posture.values[coordinates[k]];
         }
         const PathValue value = Evaluate(function, at);
-        posture.length = value.length - one.path->beyond;
+        posture.length = value.length;
         posture.arms = value.arms;
         postures.push_back(std::move(posture));
       }
@@ -283,7 +288,13 @@ class MjcfMaker {
       const SkinSlides slides =
           FitSlides(skin.skin, points[m], motions, values, max_skin_distance_);
       if (slides.bone >= 0) {
-        AddSlides(slides, drivers, bodies[slides.bone], &skin);
+        const int body = bodies[slides.bone];
+        AddSlides(slides,
+                  CoordinatesOf(drivers),
+                  body,
+                  places_.body_from_rest.at(body),
+                  &mjcf_.tree,
+                  &skin);
       }
       mjcf_.skins.push_back(std::move(skin));
     }
@@ -300,6 +311,12 @@ class MjcfMaker {
     return drivers;
   }
 
+  std::vector<Coordinate> CoordinatesOf(const std::vector<int>& indices) const {
+    std::vector<Coordinate> coordinates;
+    for (const int c : indices) coordinates.push_back(model_.coordinates[c]);
+    return coordinates;
+  }
+
   // The values of coordinates in frames, a row each.
   MatrixXd ValuesIn(const std::vector<size_t>& frames,
                     const std::vector<int>& coordinates) const {
@@ -313,59 +330,17 @@ class MjcfMaker {
     return values;
   }
 
-  // Adds a body with a joint for each slide, which follows its coordinate, and
-  // takes their weights off those of the bone on which they slide.
-  void AddSlides(const SkinSlides& slides,
-                 const std::vector<int>& drivers,
-                 int body,
-                 MjcfSkin* skin) {
-    const Matrix4d& body_from_rest = places_.body_from_rest.at(body);
-    const auto at =
-        std::find_if(mjcf_.tree.bodies.begin(),
-                     mjcf_.tree.bodies.end(),
-                     [&](const auto& one) { return one.model_body == body; });
-    const int parent = at == mjcf_.tree.bodies.end()
-                           ? -1  // the ground
-                           : static_cast<int>(at - mjcf_.tree.bodies.begin());
-    const SkinWeights& bones = skin->skin;
-    MatrixXd weights(
-        bones.weights.rows(),
-        bones.weights.cols() + static_cast<Eigen::Index>(slides.slides.size()));
-    weights.leftCols(bones.weights.cols()) = bones.weights;
-    Eigen::Index column = bones.weights.cols();
-    for (const SkinSlide& slide : slides.slides) {
-      const Coordinate& of = model_.coordinates[drivers[slide.coordinate]];
-      MjcfBody added;
-      added.name = "skin_slide_" + std::to_string(++num_slides_);
-      added.parent = parent;
-      MjcfJoint joint;
-      joint.name = added.name;
-      joint.is_hinge = false;
-      joint.axis = body_from_rest.topLeftCorner<3, 3>() * slide.direction;
-      joint.anchor.setZero();
-      MjcfCoupling coupling = {joint.name, of.name};
-      double power = kMetresPerMillimetre;
-      for (size_t k = 0; k < slide.coefficients.size(); ++k) {
-        coupling.coefficients[k] = kMetresPerMillimetre * slide.coefficients[k];
-        joint.default_value += power * slide.coefficients[k];
-        power *= of.default_value;
-      }
-      added.joints.push_back(joint);
-      mjcf_.tree.couplings.push_back(coupling);
-      skin->bones.push_back({added.name, RigidInverse(body_from_rest)});
-      mjcf_.tree.bodies.push_back(std::move(added));
-      weights.col(slides.bone) -= slide.weights;
-      weights.col(column++) = slide.weights;
-    }
-    skin->skin.weights = weights;
-    skin->skin.mean_distance = slides.mean_distance;
-    skin->skin.largest_distance = slides.largest_distance;
-    skin->num_slides = static_cast<int>(slides.slides.size());
-  }
-
+  // Those to which the muscle is attached, or to which its lines go on beyond
+  // it.
   std::vector<int> BodiesOfSkin(const std::string& muscle) const {
-    std::vector<int> bodies =
-        BodiesAlong(BodiesOfPath(model_, frames_[0]->figures, muscle, ""));
+    std::vector<int> ends =
+        BodiesOfPath(model_, frames_[0]->figures, muscle, "");
+    for (const MeasuredPath& path : paths_.paths) {
+      if (path.muscle != muscle || path.beyond.length == 0) continue;
+      const std::vector<int> more = BodiesOf(path);
+      ends.insert(ends.end(), more.begin(), more.end());
+    }
+    std::vector<int> bodies = BodiesAlong(ends);
     if (bodies.size() > kMostSkinBones) bodies.resize(kMostSkinBones);
     return bodies;
   }
@@ -382,7 +357,6 @@ class MjcfMaker {
   std::vector<const RecordedFrame*> frames_;  // that count
   std::vector<CoordinateValues> values_;      // of the model, in them
   MjcfModel mjcf_;
-  int num_slides_ = 0;  // of all skins
 };
 
 }  // namespace

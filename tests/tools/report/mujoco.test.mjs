@@ -235,8 +235,7 @@ test("its tendons are as long as ours, with our moment arms", () => {
         Object.fromEntries(path.coordinates.map((c, k) => [c, q[k]])),
       );
       const ours = pathAt(path, q);
-      const beyond = path.beyond_muscle_mm;
-      lengths.push(Math.abs(simulation.lengthOf(name) + beyond - ours.length));
+      lengths.push(Math.abs(simulation.lengthOf(name) - ours.length));
       path.coordinates.forEach((c, k) =>
         arms.push(Math.abs(simulation.armOf(name, c) - ours.arms[k])),
       );
