@@ -63,7 +63,7 @@ std::string CopyOf(const std::string& text,
                    std::move(edits));
 }
 
-// Throws InputError if a component that stays has the name of a band.
+// Throws InputError if a muscle that stays has the name of a band.
 void CheckNames(const pugi::xml_document& document,
                 const std::string& where,
                 const std::vector<BandMuscle>& bands,
@@ -73,10 +73,12 @@ void CheckNames(const pugi::xml_document& document,
     if (replaced.count(band.name) == 0) names.insert(band.name);
   }
   document.find_node([&](pugi::xml_node node) {
-    const std::string name = node.attribute("name").value();
+    if (std::string(node.name()) != kGeometryPath) return false;
+    const pugi::xml_node muscle = OwnerOfPath(node);
+    const std::string name = muscle.attribute("name").value();
     if (names.count(name) > 0) {
       throw InputError(where,
-                       "has a <" + std::string(node.name()) + "> named \"" +
+                       "has a <" + std::string(muscle.name()) + "> named \"" +
                            name + "\", as a band of fibres is",
                        "rename it, or the muscle of the scene");
     }

@@ -32,8 +32,8 @@ std::vector<BandMuscle> BandMusclesOf(const RunPaths& paths);
 // Returns the text of an OpenSim model in which bands take the place of
 // muscles, also in the <members> of groups; they keep the paths of those that
 // they are copies of. `bytes` may be in the encodings of DecodeXml, the result
-// is UTF-8. Throws InputError if the text is not XML, lacks a muscle, or has a
-// component with the name of a band.
+// is UTF-8. Throws InputError if the text is not XML, lacks a muscle, or has
+// another one with the name of a band.
 std::string WithBandMuscles(const std::string& bytes,
                             const std::string& where,
                             const std::vector<BandMuscle>& bands);
