@@ -73,6 +73,12 @@ class RefusalTest(CommandTest):
         self.expect_refusal(self.cohort(self.root / "x", self.out, "group"),
                             "x: is not a folder")
 
+    @unittest.skipIf(shutil.which("musclewarp-export"), "it is installed")
+    def test_divided_runs_need_musclewarp_export(self):
+        self.table(self.scene("sub-1") + " 3", columns=(*COLUMNS, "parts"))
+        self.expect_refusal(self.group(), "musclewarp-export: is neither in "
+                            f"{self.root}", "it fits the functions of divided runs")
+
     def test_unknown_flags_are_found_before_any_job_starts(self):
         self.scene("sub-1")
         self.table("sub-1 sub-1.json - - - --gap=0.2",
