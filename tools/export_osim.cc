@@ -72,8 +72,7 @@ OrderedJson BandsJson(const std::vector<BandMuscle>& bands) {
     json[band.name] = {{"like", band.like},
                        {"replaces", band.replaces},
                        {"force_n", band.force},
-                       {"tendon_mm", band.tendon},
-                       {"tendon_is_cut", band.tendon_is_cut}};
+                       {"tendon_mm", band.tendon}};
   }
   return json;
 }
@@ -82,7 +81,7 @@ void PrintBands(const std::vector<BandMuscle>& bands, std::ostream& screen) {
   std::set<std::string> replaced;
   for (const BandMuscle& band : bands) {
     replaced.insert(band.replaces.begin(), band.replaces.end());
-    if (band.tendon_is_cut) {
+    if (band.tendon == kShortestTendon) {
       screen << "warning: " << band.name << " is so much shorter than "
              << band.like << " that no tendon is left; it has one of "
              << kShortestTendon << " mm, and its fibres work at shorter "
@@ -150,8 +149,9 @@ int ExportOsim(const std::string& runs,
   }
   OrderedJson record = PathRecord(runs, out, paths, fitted, options.bounds);
   std::string text = ReadFile(paths.model.path);
-  const std::vector<BandMuscle> bands = BandMusclesOf(paths);
-  if (!bands.empty()) {
+  std::vector<BandMuscle> bands;
+  if (options.paths_per_muscle > 0) {
+    bands = BandMusclesOf(paths);
     text = WithBandMuscles(text, paths.model.path, bands);
     record["bands"] = BandsJson(bands);
   }

@@ -10,7 +10,7 @@
 
 namespace musclewarp {
 
-// The settings of path functions, for osim and fit.
+// The settings of path functions, for fit, osim and mjcf.
 struct PathExportOptions {
   std::string model;
   int paths_per_muscle = 0;

@@ -20,13 +20,6 @@ std::string Mebibytes(std::size_t bytes) {
   return RoundedText(static_cast<double>(bytes) / (1 << 20), 1) + " MiB";
 }
 
-// The file with the path functions of the run; "" if there is none.
-std::string FitOf(const ReportRequest& request) {
-  if (!request.fit.empty()) return request.fit;
-  const auto beside = std::filesystem::path(request.in) / "fit.json";
-  return std::filesystem::exists(beside) ? beside.string() : "";
-}
-
 }  // namespace
 
 void WriteReport(const ReportRequest& request, std::ostream& log) {
@@ -45,9 +38,7 @@ void WriteReport(const ReportRequest& request, std::ostream& log) {
             request.page.axes.empty() ? "LPS" : request.page.axes,
             request.page.side.empty() ? "right" : request.page.side);
   PageOptions page = request.page;
-  if (const std::string fit = FitOf(request); !fit.empty()) {
-    page.path_table = PathTableOf(fit);
-  }
+  if (!request.fit.empty()) page.path_table = PathTableOf(request.fit);
   if (!request.overlay.empty()) {
     page.measured = ReadMeasuredArms(request.overlay);
   }

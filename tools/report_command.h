@@ -34,8 +34,8 @@ constexpr auto FieldsOf(Described<ReportRequest>) {
                 "the columns coordinate, muscle, angle_deg, moment_arm_mm, ...")
           .Path(),
       Field(&S::fit, "fit")
-          .Text("path functions to list: a .json file of musclewarp-export; "
-                "default: fit.json in the folder of the run, if there is one")
+          .Text("path functions of the run to list: a .json file of "
+                "musclewarp-export")
           .Path(),
       Field(Inner(&S::page, &P::max_bone_triangles), "bone_triangles")
           .Text("bones are shown with at most about so many triangles each")

@@ -134,9 +134,8 @@ std::vector<BandMuscle> BandMusclesOf(const RunPaths& paths) {
     band.like = path.nearest;
     band.replaces = path.replaces;
     band.force = ForceOf(path, dynamics);
-    const double tendon = dynamics.muscles.at(band.like).tendon + path.longer;
-    band.tendon = std::max(tendon, kShortestTendon);
-    band.tendon_is_cut = tendon < kShortestTendon;
+    band.tendon = std::max(dynamics.muscles.at(band.like).tendon + path.longer,
+                           kShortestTendon);
     bands.push_back(std::move(band));
   }
   return bands;

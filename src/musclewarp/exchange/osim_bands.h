@@ -15,17 +15,16 @@ struct BandMuscle {
   std::string like;                   // the muscle that it is a copy of
   std::vector<std::string> replaces;  // muscles that go: those of all bands
   double force = 0;                   // max_isometric_force, N
-  double tendon = 0;                  // tendon_slack_length, mm
-  bool tendon_is_cut = false;         // it would have been shorter than this
+  double tendon = 0;  // tendon_slack_length, mm, at least kShortestTendon
 };
 
-// No tendon of a band is shorter, mm: OpenSim needs one.
+// OpenSim needs a tendon, mm.
 constexpr double kShortestTendon = 1;
 
 // Returns the muscles of bands (MeasuredPath::fibres) that replace muscles of
-// the model: as strong as the share of their fibres in all of those, with
-// fibres and all else of the nearest one. By what a band is longer than that
-// one, so is its tendon, so that fibres work at the same lengths. Throws
+// the model: as strong as the share of their fibres in all of those, with the
+// lengths of fibres and all else of the nearest one. The tendon is longer by as
+// much as the band is, so that fibres work at the same lengths. Throws
 // InputError if the model gives no force or tendon of a muscle.
 std::vector<BandMuscle> BandMusclesOf(const RunPaths& paths);
 

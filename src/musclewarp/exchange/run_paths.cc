@@ -286,7 +286,7 @@ class FramesOfRun {
     }
   }
 
-  // Takes another sample into the mean of what a band is longer.
+  // Takes a sample into the mean of how much a band is longer than its line.
   static void NoteLength(const MuscleFigures& muscle,
                          const PathSample& sample,
                          MeasuredPath* path) {

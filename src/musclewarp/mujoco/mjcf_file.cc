@@ -41,9 +41,9 @@ void Set(pugi::xml_node node, const char* name, const std::string& value) {
   node.append_attribute(name) = value.c_str();
 }
 
-// MuJoCo refuses moments that no body can have; rounded ones of a file are near
-// that.
-// Returns true if a body can have these moments.
+// Returns true if these moments of inertia are positive in all directions:
+// MuJoCo refuses others. Those that only miss the triangle inequality, as
+// rounded ones do, it balances itself ("balanceinertia").
 bool ArePositive(const std::array<double, 6>& moments) {
   Eigen::Matrix3d inertia;
   inertia << moments[0], moments[3], moments[4],  //
@@ -52,7 +52,7 @@ bool ArePositive(const std::array<double, 6>& moments) {
   return inertia.llt().info() == Eigen::Success;
 }
 
-// A body without a mass, or with moments that are none, is a small ball.
+// A body without a mass, or with moments that no body has, is a small ball.
 void AddInertia(const BodyMass& body, pugi::xml_node node) {
   pugi::xml_node inertial = Add(node, "inertial");
   if (!(body.mass > kLeastMass) || !ArePositive(body.inertia)) {

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr int kHighestDegree = 4;    // of an equality of MuJoCo
-constexpr int kFramesPerDegree = 5;  // fewer would be followed by each wave
+constexpr int kFramesPerDegree = 5;  // with fewer, curves swing between them
 constexpr int kRounds = 2;           // of improving all slides by turns
 
 // Polynomials of one coordinate over the frames.

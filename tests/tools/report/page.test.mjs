@@ -677,7 +677,11 @@ describe("a design of postures", () => {
       }),
     );
     const page = await browser.openReady(
-      writePage(design, join(workDir, "design.html")),
+      writePage(
+        design,
+        join(workDir, "design.html"),
+        `--fit=${join(design, "fit.json")}`,
+      ),
     );
     await hasText(page, "Over the postures");
     const marks = (kind) =>
